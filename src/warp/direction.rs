@@ -1,7 +1,7 @@
 //! Directions from angles and angles from directions, without cancellation: shared by the warps over directions.
 
 use crate::error::{Error, finite};
-use crate::num::vector::{dot, is_ordinary, scaled};
+use crate::num::vector::{copied, dot, is_ordinary, scaled};
 use crate::num::{into_unit, two_sum};
 use crate::tier::{Tier, sqrt};
 use core::f32::consts::TAU;
@@ -49,15 +49,13 @@ pub(crate) fn azimuth<T: Tier>(x: f32, y: f32) -> f32 {
 }
 
 /// The unit vector along a direction of any finite length, the parameter of that place.
-#[inline]
 pub(crate) fn normalised(direction: [f32; 3], place: usize) -> Result<[f32; 3], Error> {
     let square = dot(direction, direction);
     if is_ordinary(square) {
         let length = sqrt(square);
         Ok(direction.map(|c| c / length))
     } else {
-        let [x, y, z] = direction;
-        normalised_any([x, y, z], place)
+        normalised_any(copied(direction), place)
     }
 }
 

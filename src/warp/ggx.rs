@@ -7,7 +7,7 @@ use super::direction::{azimuth, is_direction, length, normalised};
 use super::planar::{PlanarMap, planar};
 use super::{Invert, Warp};
 use crate::error::{Error, positive, tried};
-use crate::num::vector::{is_ordinary, scaled};
+use crate::num::vector::{copied, is_ordinary, scaled};
 use crate::num::{above_zero, into_unit, remainder, representable};
 use crate::tier::{Tier, sqrt};
 use core::f32::consts::FRAC_1_PI;
@@ -355,7 +355,6 @@ impl<T: Tier> GgxVisible<T> {
         Self::of(view, alpha, true)
     }
 
-    #[inline]
     fn of(view: [f32; 3], alpha: [f32; 2], bounded: bool) -> Result<Self, Error> {
         let [ax, ay] = checked_alphas(alpha, 1)?;
         let [x, y, z] = view;
@@ -370,7 +369,7 @@ impl<T: Tier> GgxVisible<T> {
         } = if is_ordinary(flat) && is_ordinary(square) {
             View::of(view, square)
         } else {
-            View::of_any([x, y, z])?
+            View::of_any(copied(view))?
         };
         if z < 0.0 {
             return Err(Error::OutOfRange(0));

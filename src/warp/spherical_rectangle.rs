@@ -5,6 +5,7 @@ use super::planar::{PlanarMap, planar};
 use super::seen::{self, Half};
 use super::{Invert, LightSample, Warp};
 use crate::error::Error;
+use crate::num::vector::copied;
 use crate::num::{into_unit, vector};
 use crate::tier::{Tier, sqrt};
 use crate::uniform::Uniforms;
@@ -144,17 +145,12 @@ impl<T: Tier> SphericalRectangle<T> {
     #[allow(clippy::inline_always, reason = "what is not used is not computed")]
     #[inline(always)]
     pub fn new(point: [f32; 3], corner: [f32; 3], edges: [[f32; 3]; 2]) -> Result<Self, Error> {
-        // What calls take by reference would lie in memory from the start, so rare ones get copies.
-        let ([ox, oy, oz], [cx, cy, cz]) = (point, corner);
-        let copies = || ([ox, oy, oz], [cx, cy, cz]);
-        let (point, corner) = copies();
         let [mut x, mut y] = edges;
         let mut p = vector::minus(corner, point);
         let mut unit = 1.0;
         let size = vector::span(p) + vector::span(x) + vector::span(y);
         if !seen::is_plain(size) {
-            let (point, corner) = copies();
-            unit = seen::rectangle_unit(size, point, corner, [x, y])?;
+            unit = seen::rectangle_unit(size, copied(point), copied(corner), [x, y])?;
             [p, x, y] = [p, x, y].map(|way| vector::times(way, unit));
         }
         let (mut q, mut r, mut s) = (
@@ -169,8 +165,7 @@ impl<T: Tier> SphericalRectangle<T> {
             vector::dot(s, s),
         );
         if seen::least(q2, seen::least(r2, s2)) < FAR_NEARER * p2 {
-            let (point, corner) = copies();
-            [q, r, s] = seen::other_corners(point, corner, [x, y], unit);
+            [q, r, s] = seen::other_corners(copied(point), copied(corner), [x, y], unit);
             [q2, r2, s2] = [q, r, s].map(|way| vector::dot(way, way));
         }
         let (lp, lq, lr, ls) = (sqrt(p2), sqrt(q2), sqrt(r2), sqrt(s2));
@@ -197,8 +192,7 @@ impl<T: Tier> SphericalRectangle<T> {
         let sharp = seen::SHARP * spread <= vector::span(x) * vector::span(y);
         let edge_on = seen::EDGE_ON * volume.abs() <= spread;
         if sharp || (edge_on && !(before && even)) {
-            let (point, corner) = copies();
-            volume = ip * seen::rectangle_volume(point, corner, [x, y], unit);
+            volume = ip * seen::rectangle_volume(copied(point), copied(corner), [x, y], unit);
         }
         let sign = if volume < 0.0 { -1.0 } else { 1.0 };
         let part = volume.abs() * ir;
@@ -268,9 +262,8 @@ impl<T: Tier> SphericalRectangle<T> {
         corner: [f32; 3],
         edges: [[f32; 3]; 2],
     ) -> Result<f32, Error> {
-        let ([ox, oy, oz], [cx, cy, cz]) = (point, corner);
-        let [[xx, xy, xz], [yx, yy, yz]] = edges;
-        let (px, py, pz) = (cx - ox, cy - oy, cz - oz);
+        let way @ [px, py, pz] = vector::minus(corner, point);
+        let [x @ [xx, xy, xz], y @ [yx, yy, yz]] = edges;
         let ([qx, qy, qz], [sx, sy, sz]) =
             ([px + xx, py + xy, pz + xz], [px + yx, py + yy, pz + yz]);
         let [rx, ry, rz] = [px + (xx + yx), py + (xy + yy), pz + (xz + yz)];
@@ -284,7 +277,6 @@ impl<T: Tier> SphericalRectangle<T> {
             seen::long_sum([[px, qx, rx], [py, qy, ry], [pz, qz, rz]], [lp, lq, lr]);
         let [sum1, rise1] =
             seen::long_sum([[px, sx, rx], [py, sy, ry], [pz, sz, rz]], [lp, ls, lr]);
-        let (way, x, y) = ([px, py, pz], [xx, xy, xz], [yx, yy, yz]);
         let normal = vector::cross(x, y);
         let (volume, spread) = (vector::dot(way, normal).abs(), vector::span(normal));
         // The product of both halves as complex numbers.
@@ -299,7 +291,7 @@ impl<T: Tier> SphericalRectangle<T> {
         if plain && blunt && ahead && seen::is_simple(half, nearest, size) {
             Ok(1.0 / (4.0 * PI) / T::atan2_turns(sine, cosine))
         } else {
-            Self::density_made([ox, oy, oz], [cx, cy, cz], [[xx, xy, xz], [yx, yy, yz]])
+            Self::density_made(copied(point), copied(corner), edges.map(copied))
         }
     }
 

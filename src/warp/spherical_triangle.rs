@@ -5,6 +5,7 @@ use super::planar::{PlanarMap, planar};
 use super::seen::{self, Half};
 use super::{Invert, LightSample, Warp};
 use crate::error::Error;
+use crate::num::vector::copied;
 use crate::num::{into_unit, vector};
 use crate::tier::{Tier, sqrt};
 use crate::uniform::Uniforms;
@@ -147,10 +148,6 @@ impl<T: Tier> SphericalTriangle<T> {
     #[allow(clippy::inline_always, reason = "what is not used is not computed")]
     #[inline(always)]
     pub fn new(point: [f32; 3], vertices: [[f32; 3]; 3]) -> Result<Self, Error> {
-        // What calls take by reference would lie in memory from the start, so rare ones get copies.
-        let ([px, py, pz], [[ax, ay, az], [bx, by, bz], [cx, cy, cz]]) = (point, vertices);
-        let copies = || ([px, py, pz], [[ax, ay, az], [bx, by, bz], [cx, cy, cz]]);
-        let (point, vertices) = copies();
         let [a, b, c] = vertices;
         let [mut p, mut q, mut r] = vertices.map(|vertex| vector::minus(vertex, point));
         // The edge across is no difference of the others: it may be far shorter.
@@ -159,8 +156,7 @@ impl<T: Tier> SphericalTriangle<T> {
         let mut unit = 1.0;
         let size = vector::span(p) + vector::span(x) + vector::span(y);
         if !seen::is_plain(size) {
-            let (point, [a, b, c]) = copies();
-            unit = seen::unit(size, [point, a, b, c], 1)?;
+            unit = seen::unit(size, [point, a, b, c].map(copied), 1)?;
             [p, q, r, x, across, y] = [p, q, r, x, across, y].map(|way| vector::times(way, unit));
         }
         let [la, lb, lc] = [p, q, r].map(|way| sqrt(vector::dot(way, way)));
@@ -181,8 +177,7 @@ impl<T: Tier> SphericalTriangle<T> {
         let sharp = seen::SHARP * spread <= vector::span(x) * vector::span(y);
         let edge_on = seen::EDGE_ON * volume.abs() <= spread;
         if sharp || (edge_on && !(sum < 0.0 && even)) {
-            let (point, vertices) = copies();
-            volume = ia * seen::triangle_volume(point, vertices, unit);
+            volume = ia * seen::triangle_volume(copied(point), vertices.map(copied), unit);
         }
         let sign = if volume < 0.0 { -1.0 } else { 1.0 };
         let volume = volume.abs() * ib * ic;
@@ -251,8 +246,7 @@ impl<T: Tier> SphericalTriangle<T> {
         if rise >= 0.0 && blunt && ahead && seen::is_simple(half, nearest, size) {
             Ok(1.0 / (4.0 * PI) / T::atan2_turns(volume, sum))
         } else {
-            let vertices = [[ax, ay, az], [bx, by, bz], [cx, cy, cz]];
-            Self::density_made([px, py, pz], vertices)
+            Self::density_made(copied(point), vertices.map(copied))
         }
     }
 

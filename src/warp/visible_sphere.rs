@@ -5,7 +5,7 @@ use super::direction::{around, normalised};
 use super::planar::{PlanarMap, planar};
 use super::{Cone, Frame, Invert, LightSample, Oriented, Warp};
 use crate::error::{Error, finite, positive};
-use crate::num::vector::magnitude;
+use crate::num::vector::{copied, magnitude};
 use crate::num::{
     ExactSum, Scaled, clamp, product, quick_two_sum, remainder, two_product, two_sum,
 };
@@ -161,7 +161,7 @@ impl<T: Tier> VisibleSphere<T> {
                 gap,
             }
         } else {
-            compensated([px, py, pz], [cx, cy, cz], radius)?
+            compensated(copied(point), copied(centre), radius)?
         };
         Ok(Self {
             point,
