@@ -5,7 +5,7 @@ use crate::subjects::{self, INPUTS, Out, SUBJECTS};
 use microwarp::tier::{Libm, Poly, Tier};
 
 /// The subjects of the first half of a tier: half of their code, of which later ones have more.
-const HALF: usize = SUBJECTS.len() * 3 / 4;
+const HALF: usize = SUBJECTS.len() * 73 / 99;
 
 /// The numbers of the subjects that have a tier, and behind them zeros; how many there are, and how many in the first half.
 const TIERED: ([usize; SUBJECTS.len()], usize, usize) = {
