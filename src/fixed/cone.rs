@@ -37,12 +37,12 @@ use core::marker::PhantomData;
 ///
 /// | error | fine | coarse | compact | kind |
 /// |---|--:|--:|--:|---|
-/// | sample, max | 1e-6*w + 1e-9 | 2e-4*w + 1e-9 | 7e-7*w + 1e-9 | found |
+/// | sample, max | 1.2e-6*w + 1.2e-9 | 2.4e-4*w + 1.2e-9 | 8.6e-7*w + 1.3e-9 | found |
 /// | sample, rms | 8.8e-8 | 3.2e-5 | 1.4e-7 | found |
 /// | sample, mean | 0 | -2.8e-6 | 0 | found |
-/// | unit length | 5.9e-7 | 1.6e-4 | 6.2e-7 | found |
-/// | pdf | 2.9e-9 | 2.9e-9 | 2.9e-9 | found |
-/// | round trip | 1.3e-6 + 2e-9/w | 4.1e-4 + 2e-9/w | 1.3e-6 + 2e-9/w | found |
+/// | unit length | 7.1e-7 | 1.9e-4 | 7.5e-7 | found |
+/// | pdf | 3.8e-9 | 3.8e-9 | 3.8e-9 | found |
+/// | round trip | 1.6e-6 + 2.4e-9/w | 5e-4 + 2.5e-9/w | 1.6e-6 + 2.4e-9/w | found |
 ///
 /// # Cost
 /// One draw in `fine`, PCG32 included, takes <!-- figure: cost fixed Cone -->256 instructions and 552 bytes of code on an M0, 126 instructions on an M3<!-- -->.

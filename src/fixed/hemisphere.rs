@@ -28,8 +28,8 @@ use core::marker::PhantomData;
 /// | sample, max | 9.5e-7 | 1.4e-4 | 6.5e-7 | proven |
 /// | sample, rms | 1.4e-7 | 4.4e-5 | 2.1e-7 | found |
 /// | sample, mean | 0 | -4.5e-6 | 0 | found |
-/// | unit length | 5.9e-7 | 1.6e-4 | 6.2e-7 | found |
-/// | round trip | 5.3e-7 | 1.6e-4 | 6.2e-7 | found |
+/// | unit length | 7.1e-7 | 1.9e-4 | 7.5e-7 | found |
+/// | round trip | 6.4e-7 | 2e-4 | 7.5e-7 | found |
 ///
 /// The largest error of a sample is proven for all pairs of words: see `docs/proofs.md`.
 ///
@@ -135,8 +135,8 @@ impl<G: Grade> Invert for Hemisphere<G> {
 /// | sample, max | 9.5e-7 | 1.4e-4 | 6.5e-7 | proven |
 /// | sample, rms | 1.3e-7 | 4.0e-5 | 1.9e-7 | found |
 /// | sample, mean | -1.2e-9 | -6.4e-6 | -6.5e-9 | found |
-/// | unit length | 5.9e-7 | 1.6e-4 | 6.2e-7 | found |
-/// | round trip | 5.9e-7 | 1.7e-4 | 6.2e-7 | found |
+/// | unit length | 7.2e-7 | 1.9e-4 | 7.5e-7 | found |
+/// | round trip | 7.2e-7 | 2e-4 | 7.5e-7 | found |
 ///
 /// The largest error of a sample is proven for all pairs of words: see `docs/proofs.md`.
 ///

@@ -145,8 +145,8 @@ There the last column says of which kind the bounds of a row are. *Proven*: no i
 `docs/proofs.md` gives. *Exhaustive*: all inputs have been tried. *Found*: a search over parameters and uniforms has met no
 case that exceeds them. It goes on for as long as one likes and might still meet more, so that what is found is stated with a
 margin: at least 1.3 times the worst that a long search has met. The tests search anew, know the worst cases of earlier
-searches (`tests/*/worst.csv`), and refuse a bound that is exceeded, one that no known case reaches 1/2.5 of and, in the float
-tiers, one that a known case leaves no such margin.
+searches (`tests/*/worst.csv`), and refuse a bound that is exceeded, one that no known case reaches 1/2.5 of, and one that a
+known case leaves no such margin.
 
 - Warps of one uniform, and sin θ and cos θ of directions: every 5th of the 2^24 inputs of the grid for the first parameter set of
   a warp, every 325th for the others; draws, densities and inverses at every 7th of these. `MICROWARP_FULL=all` tries all

@@ -121,7 +121,8 @@ impl Family {
 
     fn kind(&self, title: &str) -> docs::Kind {
         let row = Doc::of("fixed", self.name).row(title);
-        row.and_then(|row| row.kind).unwrap_or(docs::Kind::Found)
+        // What stands in words is how a result is rounded or cut.
+        row.and_then(|row| row.kind).unwrap_or(docs::Kind::Proven)
     }
 
     fn statement(&self, title: &str) -> Statement {
