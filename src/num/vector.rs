@@ -38,11 +38,14 @@ pub(crate) fn span([x, y, z]: [f32; 3]) -> f32 {
     x.abs() + y.abs() + z.abs()
 }
 
+/// Whether the processor is a large one, for which time counts before size.
+const LARGE: bool = cfg!(target_pointer_width = "64");
+
 /// A copy for a rare call. What is passed by reference lies in memory from the start, where a large processor waits for two stores
 /// before it loads both; on small ones copies would only take code.
 #[inline]
 pub(crate) fn copied(vector: [f32; 3]) -> [f32; 3] {
-    if cfg!(target_pointer_width = "64") {
+    if LARGE {
         let [x, y, z] = vector;
         [x, y, z]
     } else {
@@ -63,10 +66,10 @@ pub(crate) fn magnitude<const N: usize>(numbers: [f32; N]) -> f32 {
 /// before.
 const ORDINARY: RangeInclusive<f32> = 8.673_617_4e-19..=1_152_921_504_606_846_976.0;
 
-/// Whether a vector of this square needs no scale.
+/// Whether a vector of this square goes without a scale. Small processors have one way for all.
 #[inline]
 pub(crate) fn is_ordinary(square: f32) -> bool {
-    ORDINARY.contains(&square)
+    LARGE && ORDINARY.contains(&square)
 }
 
 /// A power of two near the largest coordinate, and the point divided by it, whose squares neither overflow nor

@@ -241,8 +241,8 @@ impl<T: Tier> SphericalRectangle<T> {
     }
 
     /// The density of every direction from `point` to the rectangle, per steradian, as `new` and [`density`](Self::density) give it
-    /// but for rounding: for a direction that another technique has found, at a point where no sample is drawn. It takes half of
-    /// their time.
+    /// but for rounding: for a direction that another technique has found, at a point where no sample is drawn. What only a sample
+    /// needs is left out.
     ///
     /// # Errors
     /// Those of [`new`](Self::new).
