@@ -38,7 +38,7 @@ use core::marker::PhantomData;
 /// | sample, of the size | 4.9e-7 | proven |
 /// | pdf, relative | 7.8e-8 | found |
 /// | realised density, relative | 7.8e-8 | found |
-/// | inverse | 2e-7/w | found |
+/// | inverse | 2.2e-7/w | found |
 /// | round trip | 1.8e-7/w + 3.9*r | found |
 ///
 /// w is the width in turns. r is the change of the inverse when the point moves by 2⁻²⁴ of the outer radius. Before its

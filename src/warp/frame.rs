@@ -138,7 +138,7 @@ impl Frame {
 /// |---|--:|--:|---|
 /// | sample, of the size | 5.8e-7 | 5.8e-7 | found |
 /// | unit length | 5.2e-7 | 5.2e-7 | found |
-/// | pdf, relative | 6.4e-7 + 13.2*s | 6.4e-7 + 13.2*s | found |
+/// | pdf, relative | 6.4e-7 + 15*s | 6.4e-7 + 15*s | found |
 /// | realised density, relative | 5.8e-7 + 9.3*s | 5.8e-7 + 9.3*s | found |
 /// | pdf with the sample, relative | 5.2e-7 + 2*s | 4.2e-7 + 1.6*s | found |
 /// | inverse | min(1, 6.2e-7 + 15*r) | min(1, 6.2e-7 + 15*r) | found |

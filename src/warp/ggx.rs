@@ -235,7 +235,7 @@ pub struct Reflection {
 /// |---|--:|---|
 /// | sample, of the size | 6.6e-7 + 6.3e-7*q | found |
 /// | unit length | 2.4e-7 | found |
-/// | pdf, relative | 1.2e-6 + 2.5*s | found |
+/// | pdf, relative | 1.2e-6 + 2.8*s | found |
 /// | realised density, relative | 1.4e-6 + 8.3·s + 8.4e-7·q | found |
 /// | pdf with the sample, relative | 1.2e-6 + 9.7e-7*q | found |
 /// | inverse | 8e-7 + 9.8*r | found |

@@ -43,7 +43,7 @@ use core::marker::PhantomData;
 /// | realised density, relative | 3e-7 + (3.9 + 43·d)·s/max(0, 1 - w/1e6) | found |
 /// | pdf with the sample, relative | 7.9e-7 + 2e-6*d | found |
 /// | inverse | 2.5e-7 + 0.11*r/max(0, 1 - w/1e6) | found |
-/// | round trip | 2.3e-7 + (3 + 46·d)·r | found |
+/// | round trip | 2.3e-7 + (3.1 + 46·d)·r | found |
 ///
 /// The error of a sample is proven for all parameters and uniforms: see `docs/proofs.md`.
 ///

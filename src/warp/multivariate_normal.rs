@@ -56,7 +56,7 @@ const ROUNDINGS: f32 = 4.0;
 /// | realised density, relative | 1e-6 + 3.5*s/max(0, 1 - s/0.1) | 1e-6 + 3.5*s/max(0, 1 - s/0.1) | found |
 /// | pdf with the sample, relative | 9.6e-7 | 9.6e-7 | found |
 /// | inverse | 2.3e-7 | 2.2e-7 + 3.4*r | found |
-/// | round trip | 2.2e-7 + 2.6*r | 2.2e-7 + 5*r | found |
+/// | round trip | 2.2e-7 + 3.3*r | 2.2e-7 + 5*r | found |
 ///
 /// c is the condition number of the matrix of correlations, here at most 8.4e6; s and r are the relative change of the density and
 /// the change of the inverse when the point moves by 2⁻²⁴ of the size. No realised density is stated where s reaches 0.1.

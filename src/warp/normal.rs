@@ -55,7 +55,7 @@ const REACH: f32 = 14.5;
 /// | realised density, relative | 7.7e-7 + 5.4*s/max(0, 1 - w/1e6) | found |
 /// | pdf with the sample, relative | 4.8e-7 | proven |
 /// | inverse | 2.5e-7 | found |
-/// | round trip | 1.8e-7 + 3*r | found |
+/// | round trip | 2.1e-7 + 3*r | found |
 ///
 /// The errors of a sample and of the density with it are proven for all parameters and uniforms: see `docs/proofs.md`.
 ///

@@ -41,9 +41,9 @@ use core::marker::PhantomData;
 ///
 /// | error | `libm` | `poly` | kind |
 /// |---|--:|--:|---|
-/// | sample, ulp | 1.5 | 3.7 + 4.7·min(1/k, k·d·d) | found |
+/// | sample, ulp | 1.5 | 3.7 + 4.9·min(1/k, k·d·d) | found |
 /// | pdf, relative | 1.6e-7 | 1.6e-7 | found |
-/// | realised density, relative | 1.8e-7 + s | 1.7e-7 + (3.4 + 4.5·min(1/k, k·d·d))·s/max(0, 1 - k/1e6) | found |
+/// | realised density, relative | 1.8e-7 + s | 1.7e-7 + (3.7 + 4.8·min(1/k, k·d·d))·s/max(0, 1 - k/1e6) | found |
 /// | pdf with the sample, relative | 5.7e-7 + s | 4.3e-7 + 3.2e-7·min(1/k, k·d·d) + 1.8*s | found |
 /// | inverse | 3.5e-7 | 3.5e-7 | found |
 /// | round trip | 3.4e-7 + 1.5*r | 3e-7 + (3.3 + 4.2·min(1/k, k·d·d))·r | found |

@@ -31,7 +31,7 @@ use core::marker::PhantomData;
 /// |---|--:|---|
 /// | sample, ulp | 2.7 | proven |
 /// | pdf, relative | 1.2e-6 | found |
-/// | realised density, relative | 5.5e-7 + 2.4*s | found |
+/// | realised density, relative | 5.5e-7 + 2.5*s | found |
 /// | pdf with the sample, relative | 4e-7 | proven |
 /// | inverse | 1.3e-7 | found |
 /// | round trip | 1e-7 + 1.5*r | found |

@@ -56,7 +56,7 @@ use core::marker::PhantomData;
 ///
 /// | error | `libm` | `poly` | kind |
 /// |---|--:|--:|---|
-/// | sample, of the size | 1.25e-6*q | 9.5e-7*q | found |
+/// | sample, of the size | 1.4e-6*q | 1.3e-6*q | found |
 /// | unit length | 2e-7 | 2e-7 | found |
 /// | place on it | 6.5e-7 + (3.9 + 1.9·q)·p | 6.5e-7 + (3.9 + 1.9·q)·p | found |
 /// | pdf, relative | 1.1e-6 + 5.5e-7*q + 1e-14/g | 1.1e-6 + 5.5e-7*q + 1e-14/g | found |

@@ -565,7 +565,7 @@ float mw_truncated_logistic_invert(const mw_truncated_logistic *warp, float poin
 
 /**
  * Gumbel, the distribution of maxima; one uniform.
- * Largest errors: sample, ulp of location or distance: 5.9; pdf, relative: 3.4e-6.
+ * Largest errors: sample, ulp of location or distance: 5.9; pdf, relative: 3.7e-6.
  * Point: drawn samples lie from -3.13 beta to 22.9 beta about the location.
  * Errors of init: MW_NOT_FINITE for NaN or infinity, MW_NOT_POSITIVE for a scale of 0 or less,
  * MW_TOO_LARGE if a sample could overflow, MW_EMPTY if the density could.
@@ -603,7 +603,7 @@ float mw_rayleigh_invert(const mw_rayleigh *warp, float point);
 
 /**
  * Weibull, life times by a shape; one uniform.
- * Largest errors: pdf, relative: 2.7e-6.
+ * Largest errors: pdf, relative: 3.2e-6.
  * Point: drawn samples lie from (1.16e-10)^(1/kappa)*lambda to 22.9^(1/kappa)*lambda.
  * Errors of init: MW_NOT_FINITE for NaN or infinity, MW_NOT_POSITIVE for 0 or less, MW_TOO_LARGE if
  * a sample could overflow, MW_EMPTY if the density at the scale could.
