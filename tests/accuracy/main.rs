@@ -15,7 +15,6 @@ mod oracle;
 mod page;
 
 use host::adversary::search::{Budget, USUAL};
-
 use host::figures::{
     Exact, Figures, density_and_inverse_error, density_with_sample_error, draw_error, place_error,
     polar_error, sample_error,

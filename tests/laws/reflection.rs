@@ -83,6 +83,24 @@ fn a_reflection_mirrors_the_view_with_the_density_of_its_direction() {
 }
 
 /// The integral of a density over all directions, those below the surface too, and the part of the reflections above it.
+/// A view has its normals whatever its length, to the bit: hosts take a shorter way for ordinary lengths.
+#[test]
+fn a_view_of_any_length_has_the_same_normals() {
+    let mut rng = Pcg32::new(43, 7);
+    let mut other = 0;
+    for _ in 0..20_000 {
+        let (view, alpha) = scene(&mut rng);
+        let of = |by: f32| GgxVisible::<Poly>::new(view.map(|c| c * by), alpha).unwrap();
+        let ordinary = of(1.0);
+        for by in [-40.0, 40.0, 90.0] {
+            assert_eq!(ordinary, of(f32::exp2(by)), "{view:?} {alpha:?} by 2^{by}");
+        }
+        // Lengths that are no powers of two round otherwise.
+        other += usize::from(of(1.1) != ordinary);
+    }
+    assert!(other > 1_000, "{other}");
+}
+
 fn integral(warp: &GgxVisible<Poly>, density: impl Fn([f32; 3]) -> f32) -> f64 {
     let (rows, turns) = (600, 600);
     let w = warp.view().map(f64::from);
