@@ -75,7 +75,8 @@ fn normalised_any(direction: [f32; 3], place: usize) -> Result<[f32; 3], Error> 
     }
 }
 
-/// The length of a scaled point.
+/// The length of a scaled point, or of an ordinary one.
+#[inline]
 pub(crate) fn length(point: [f32; 3]) -> f32 {
     sqrt(dot(point, point))
 }

@@ -223,24 +223,11 @@ pub(super) fn is_simple([sine, cosine, whole]: [f32; 3], nearest: f32, size: f32
         && nearest >= 2.0 * ON_CORNER * size
 }
 
-/// The length of a vector by its coordinates.
+/// What [`sums`] gives first, times the distances of the corners, from the ways to those; and the least 1/2 + cosine of a side, times
+/// the distances of its ends: below 0 where a side is longer than a third of a turn.
 #[inline]
-pub(super) fn length(x: f32, y: f32, z: f32) -> f32 {
-    sqrt(x * x + y * y + z * z)
-}
-
-/// What [`sums`] gives first, times the distances of the corners, from the ways to those by axis; and the least 1/2 + cosine of a
-/// side, times the distances of its ends: below 0 where a side is longer than a third of a turn.
-#[inline]
-pub(super) fn long_sum(
-    [[a, b, c], [d, e, f], [g, h, i]]: [[f32; 3]; 3],
-    [p, q, r]: [f32; 3],
-) -> [f32; 2] {
-    let (pq, qr, rp) = (
-        a * b + d * e + g * h,
-        b * c + e * f + h * i,
-        c * a + f * d + i * g,
-    );
+pub(super) fn long_sum([a, b, c]: [[f32; 3]; 3], [p, q, r]: [f32; 3]) -> [f32; 2] {
+    let (pq, qr, rp) = (dot(a, b), dot(b, c), dot(c, a));
     let (x, y, z) = (p * q, q * r, r * p);
     let sum = (x + pq) * r + (qr * p + rp * q);
     let rise = least(pq + 0.5 * x, least(qr + 0.5 * y, rp + 0.5 * z));

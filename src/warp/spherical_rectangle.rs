@@ -1,6 +1,7 @@
 //! The uniform distribution over the directions of a rectangle, seen from a point.
 
 use super::contract::drawn_by;
+use super::direction::length;
 use super::planar::{PlanarMap, planar};
 use super::seen::{self, Half};
 use super::{Invert, LightSample, Warp};
@@ -262,26 +263,21 @@ impl<T: Tier> SphericalRectangle<T> {
         corner: [f32; 3],
         edges: [[f32; 3]; 2],
     ) -> Result<f32, Error> {
-        let way @ [px, py, pz] = vector::minus(corner, point);
-        let [x @ [xx, xy, xz], y @ [yx, yy, yz]] = edges;
-        let ([qx, qy, qz], [sx, sy, sz]) =
-            ([px + xx, py + xy, pz + xz], [px + yx, py + yy, pz + yz]);
-        let [rx, ry, rz] = [px + (xx + yx), py + (xy + yy), pz + (xz + yz)];
-        let (lp, lq, lr, ls) = (
-            seen::length(px, py, pz),
-            seen::length(qx, qy, qz),
-            seen::length(rx, ry, rz),
-            seen::length(sx, sy, sz),
+        let [x, y] = edges;
+        let p = vector::minus(corner, point);
+        let (q, r, s) = (
+            vector::plus(p, x),
+            vector::plus(p, vector::plus(x, y)),
+            vector::plus(p, y),
         );
-        let [sum0, rise0] =
-            seen::long_sum([[px, qx, rx], [py, qy, ry], [pz, qz, rz]], [lp, lq, lr]);
-        let [sum1, rise1] =
-            seen::long_sum([[px, sx, rx], [py, sy, ry], [pz, sz, rz]], [lp, ls, lr]);
+        let [lp, lq, lr, ls] = [p, q, r, s].map(length);
+        let [sum0, rise0] = seen::long_sum([p, q, r], [lp, lq, lr]);
+        let [sum1, rise1] = seen::long_sum([p, s, r], [lp, ls, lr]);
         let normal = vector::cross(x, y);
-        let (volume, spread) = (vector::dot(way, normal).abs(), vector::span(normal));
+        let (volume, spread) = (vector::dot(p, normal).abs(), vector::span(normal));
         // The product of both halves as complex numbers.
         let (sine, cosine) = (volume * (sum0 + sum1), sum0 * sum1 - volume * volume);
-        let size = vector::span(way) + vector::span(x) + vector::span(y);
+        let size = vector::span(p) + vector::span(x) + vector::span(y);
         let others = seen::least(lq, seen::least(lr, ls));
         let nearest = seen::least(lp, others);
         let blunt = seen::SHARP * spread > vector::span(x) * vector::span(y);

@@ -1,6 +1,7 @@
 //! The uniform distribution over the directions of a triangle, seen from a point.
 
 use super::contract::drawn_by;
+use super::direction::length;
 use super::planar::{PlanarMap, planar};
 use super::seen::{self, Half};
 use super::{Invert, LightSample, Warp};
@@ -222,21 +223,12 @@ impl<T: Tier> SphericalTriangle<T> {
     /// ```
     #[inline]
     pub fn density_of(point: [f32; 3], vertices: [[f32; 3]; 3]) -> Result<f32, Error> {
-        let [px, py, pz] = point;
-        let [[ax, ay, az], [bx, by, bz], [cx, cy, cz]] = vertices;
-        let ways @ [[ux, vx, wx], [uy, vy, wy], [uz, vz, wz]] = [
-            [ax - px, bx - px, cx - px],
-            [ay - py, by - py, cy - py],
-            [az - pz, bz - pz, cz - pz],
-        ];
-        let lengths @ [first, second, third] = [
-            seen::length(ux, uy, uz),
-            seen::length(vx, vy, vz),
-            seen::length(wx, wy, wz),
-        ];
+        let [a, b, c] = vertices;
+        let ways @ [way, ..] = vertices.map(|vertex| vector::minus(vertex, point));
+        let (x, y) = (vector::minus(b, a), vector::minus(c, a));
+        let lengths @ [first, second, third] = ways.map(length);
         let [sum, rise] = seen::long_sum(ways, lengths);
-        let (x, y) = ([bx - ax, by - ay, bz - az], [cx - ax, cy - ay, cz - az]);
-        let (normal, way) = (vector::cross(x, y), [ux, uy, uz]);
+        let normal = vector::cross(x, y);
         let (volume, spread) = (vector::dot(way, normal).abs(), vector::span(normal));
         let size = vector::span(way) + vector::span(x) + vector::span(y);
         let nearest = seen::least(first, seen::least(second, third));

@@ -235,16 +235,15 @@ pub fn density_and_inverse_error(entry: &Entry, exact: &Exact, x: Point, figures
     let pdf = f64::from(entry.warp.pdf(x));
     // Outside the normal range of f32 a density is no longer accurate, only positive and finite.
     let normal = f64::from(f32::MIN_POSITIVE)..=f64::from(f32::MAX);
-    let relative = |truth: f64| (pdf - truth).abs() / truth;
+    let relative = |density: f64, truth: f64| (density - truth).abs() / truth;
     let at_point = entry.truth.pdf(point);
     if normal.contains(&at_point) && normal.contains(&exact.density) {
-        raise(&mut figures.pdf, relative(at_point));
+        raise(&mut figures.pdf, relative(pdf, at_point));
         if let Some(alone) = entry.alone {
-            let error = (f64::from(alone) - at_point).abs() / at_point;
-            raise(&mut figures.pdf, error);
+            raise(&mut figures.pdf, relative(alone.into(), at_point));
         }
         if entry.resolved && exact.u[..entry.uniforms].iter().all(|u| *u >= GRID_STEP) {
-            raise(&mut figures.realised, relative(exact.density));
+            raise(&mut figures.realised, relative(pdf, exact.density));
         }
     }
     let inverse = entry.warp.invert(x).map(f64::from);
