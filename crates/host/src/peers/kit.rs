@@ -48,7 +48,6 @@ pub struct Piecewise {
 }
 
 impl Piecewise {
-    #[inline]
     pub fn new(values: &[f32], range: [f32; 2]) -> Self {
         let values: Vec<f32> = values.iter().map(|value| value.abs()).collect();
         let width = (range[1] - range[0]) / values.len() as f32;
@@ -95,7 +94,6 @@ pub struct PiecewiseRows {
 }
 
 impl PiecewiseRows {
-    #[inline]
     pub fn new<'a>(rows: impl Iterator<Item = &'a [f32]>, ranges: [[f32; 2]; 2]) -> Self {
         let rows: Vec<_> = rows.map(|row| Piecewise::new(row, ranges[0])).collect();
         let integrals: Vec<f32> = rows.iter().map(|row| row.integral).collect();
@@ -129,7 +127,6 @@ impl Mitchell {
     /// Cells of the table for each unit of the radius.
     const CELLS: u16 = 32;
 
-    #[inline]
     pub fn new(radius: u16, b: f32, c: f32) -> Self {
         let on_axis = |x: f32| {
             let x = (2.0 * x / f32::from(radius)).abs();
@@ -258,7 +255,6 @@ pub struct Curve {
 }
 
 impl Curve {
-    #[inline]
     pub fn new([width, height]: [u32; 2], log2_samples: u32) -> Self {
         let side = width.max(height).next_power_of_two().trailing_zeros();
         Self {
@@ -292,7 +288,6 @@ impl Curve {
 }
 
 /// The order of four digits that has this number, of 24.
-#[inline]
 fn permutation(number: usize) -> [u8; 4] {
     let mut left = vec![0, 1, 2, 3];
     [number / 6, number / 2 % 3, number % 2, 0].map(|place| left.remove(place))

@@ -22,7 +22,6 @@ pub fn ball([u1, u2, u3]: [f32; 3]) -> [f32; 3] {
 pub struct Sums(Vec<f32>);
 
 impl Sums {
-    #[inline]
     pub fn new(weights: &[f32]) -> Self {
         let running = weights.iter().scan(0.0, |sum, weight| {
             *sum += weight;
