@@ -3,7 +3,7 @@
 
 use super::weights::Weights;
 use crate::error::Error;
-use crate::num::division::scaled;
+use crate::num::division::Divisor;
 
 /// Turns weights, one by one, into the number of words below the end of each.
 ///
@@ -15,7 +15,7 @@ use crate::num::division::scaled;
 pub(crate) struct Apportionment<'a> {
     weights: Weights<'a>,
     bits: u32,
-    total: u128,
+    total: Divisor,
     /// The sum of the weights so far.
     sum: u128,
     /// The end of the last entry.
@@ -41,14 +41,14 @@ impl<'a> Apportionment<'a> {
         let mut ends = Self {
             weights,
             bits,
-            total: 0,
+            total: Divisor::of(1),
             sum: 0,
             end: 0,
             crowded: false,
             needed: 0,
             last: 0,
         };
-        let (mut smallest, mut least, mut index) = (u128::MAX, 0, 0_usize);
+        let (mut total, mut smallest, mut least, mut index) = (0_u128, u128::MAX, 0, 0_usize);
         let mut scan = weights;
         while let Some(weight) = scan.next() {
             if weight > 0 {
@@ -57,13 +57,14 @@ impl<'a> Apportionment<'a> {
                     (smallest, least) = (weight, index);
                 }
             }
-            ends.total = ends.total.wrapping_add(weight);
+            total = total.wrapping_add(weight);
             index = index.wrapping_add(1);
         }
-        if ends.total == 0 {
+        if total == 0 {
             return Err(Error::AllZero);
         }
-        ends.crowded = scaled(smallest, ends.total, bits).0 == 0;
+        ends.total = Divisor::of(total);
+        ends.crowded = ends.total.scaled(smallest, bits).0 == 0;
         if ends.crowded {
             let mut scan = weights;
             while let Some(weight) = scan.next() {
@@ -89,7 +90,7 @@ impl<'a> Apportionment<'a> {
         if self.bits > 32 {
             return (1, self.words());
         }
-        let (whole, inexact) = scaled(weight, self.total, self.bits);
+        let (whole, inexact) = self.total.scaled(weight, self.bits);
         let fewest = if inexact {
             whole
         } else {
@@ -99,12 +100,17 @@ impl<'a> Apportionment<'a> {
     }
 
     /// The end of the next entry, which has this weight.
+    #[allow(
+        clippy::inline_always,
+        reason = "otherwise all it keeps lies in memory; small cores lack the room"
+    )]
+    #[cfg_attr(target_pointer_width = "64", inline(always))]
     const fn climb(&mut self, weight: u128) -> u128 {
         if weight == 0 {
             return self.end;
         }
         self.sum = self.sum.wrapping_add(weight);
-        let (whole, inexact) = scaled(self.sum, self.total, self.bits);
+        let (whole, inexact) = self.total.scaled(self.sum, self.bits);
         let mut end = whole.wrapping_add(inexact as u128);
         if self.crowded {
             let (fewest, most) = self.bounds(weight);
@@ -129,6 +135,11 @@ impl<'a> Apportionment<'a> {
     }
 
     /// How many words lie below the end of the next entry.
+    #[allow(
+        clippy::inline_always,
+        reason = "otherwise all it keeps lies in memory; small cores lack the room"
+    )]
+    #[cfg_attr(target_pointer_width = "64", inline(always))]
     pub(crate) const fn next(&mut self) -> Option<u128> {
         match self.weights.next() {
             Some(weight) => Some(self.climb(weight)),

@@ -49,8 +49,9 @@ use rand_core::{Rng, TryRng};
 ///
 /// # Cost
 /// A selection takes log₂ n comparisons; of up to 16 entries vectors compare all at once. Building takes one
-/// 128-bit division an entry, digit by digit, and two more where some weight is below a step. A `const` table is
-/// built by the compiler; from some thousand entries on it asks for `#![allow(long_running_const_eval)]`.
+/// 128-bit division an entry, and two more where some weight is below a step: digit by digit, but for a table of `u32` on a
+/// processor of 64 bits, which multiplies. A `const` table is built by the compiler; from some thousand entries on it asks for
+/// `#![allow(long_running_const_eval)]`.
 ///
 /// # Examples
 /// ```

@@ -236,6 +236,11 @@ impl<'a> Weights<'a> {
     }
 
     /// The next weight; nothing after the last.
+    #[allow(
+        clippy::inline_always,
+        reason = "half of what building a table takes goes to this choice; small cores lack the room"
+    )]
+    #[cfg_attr(target_pointer_width = "64", inline(always))]
     pub(crate) const fn next(&mut self) -> Option<u128> {
         match self {
             Self::Floats { weights, unit } => match weights.split_first() {

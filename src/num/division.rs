@@ -74,6 +74,70 @@ const fn next_digits(rest: u128, total: u128, count: u32) -> (u64, u128) {
     (digits, rest as u128)
 }
 
+/// A total by which many numbers are divided: by multiplications, where processors have them of 64 bits.
+#[derive(Clone, Copy)]
+pub(crate) struct Divisor {
+    /// Above 0 and below 2^127.
+    pub(crate) total: u128,
+    /// Nothing on small cores.
+    inverse: [Inverse; DIVIDES as usize],
+}
+
+#[derive(Clone, Copy)]
+struct Inverse {
+    /// How many bits of the total lie above its first.
+    up: u32,
+    /// 2^127 by its 64 leading bits, cut; 0 of a total beyond 2^95.
+    digits: u64,
+}
+
+impl Divisor {
+    pub(crate) const fn of(total: u128) -> Self {
+        let up = total.leading_zeros();
+        let digits = if DIVIDES && up > 32 {
+            let (digits, _) = scaled(1 << 63, total.wrapping_shl(up) >> 64, 64);
+            // Of a power of two it is 2^64.
+            if digits >> 64 > 0 {
+                u64::MAX
+            } else {
+                digits as u64
+            }
+        } else {
+            0
+        };
+        Self {
+            total,
+            inverse: [Inverse { up, digits }; DIVIDES as usize],
+        }
+    }
+
+    /// `floor(x · 2^bits / total)` and whether there is a remainder, for `x <= total`.
+    #[allow(clippy::inline_always, reason = "a call takes as long as what it does")]
+    #[cfg_attr(target_pointer_width = "64", inline(always))]
+    #[cfg_attr(not(target_pointer_width = "64"), inline)]
+    #[expect(
+        clippy::cast_possible_wrap,
+        reason = "they are below 2^127, and a difference has its sign"
+    )]
+    pub(crate) const fn scaled(&self, x: u128, bits: u32) -> (u128, bool) {
+        let Self { total, inverse } = *self;
+        let (up, digits) = match inverse.as_slice() {
+            [Inverse { up, digits }] if *digits > 0 && bits == 32 => (*up, *digits),
+            _ => return scaled(x, total, bits),
+        };
+        let leading = x.wrapping_shl(up) >> 64;
+        // What is cut off changes the quotient by less than 2^-30, so that this is off by one at most.
+        let mut quotient = leading.wrapping_mul(digits as u128) >> 95;
+        let mut rest = (x << 32).wrapping_sub(total.wrapping_mul(quotient));
+        if (rest as i128) < 0 {
+            (rest, quotient) = (rest.wrapping_add(total), quotient.wrapping_sub(1));
+        } else if rest >= total {
+            (rest, quotient) = (rest.wrapping_sub(total), quotient.wrapping_add(1));
+        }
+        (quotient, rest > 0)
+    }
+}
+
 /// `floor(x · 2^31 / d)` and whether there is a remainder, for `d <= x + x` and `x < d + d`.
 #[inline]
 pub(crate) const fn quotient(x: u64, d: u64) -> (u32, bool) {

@@ -9,7 +9,7 @@
     reason = "tests run where there are panics"
 )]
 
-use super::division::{fraction_on, quotient_on, scaled_on};
+use super::division::{Divisor, fraction_on, quotient_on, scaled_on};
 use super::word::up_to_on;
 use super::{
     Scaled, float, folded, folded_tail, inverse_square_root, square_root, up_to, up_to_by_two,
@@ -182,6 +182,39 @@ fn both_kinds_of_cores_divide_alike() {
     };
     assert!(wrong_quotient(31, short).is_some());
     assert!(wrong_quotient(32, |x, d| (fraction_on::<false>(x, d).0, true)).is_some());
+}
+
+/// The first sum of some total that is not divided as digit by digit.
+fn wrong_share(share: impl Fn(&Divisor, u128) -> (u128, bool)) -> Option<[u128; 2]> {
+    let mut rng = Pcg32::new(9, 31);
+    let mut any = || {
+        let words = [(); 4].map(|()| rng.next_u32());
+        let number = words
+            .iter()
+            .fold(0, |all, &word| all << 32 | u128::from(word));
+        // Of any length, and now and then next to a power of two.
+        let number = number >> (words[0] % 126) & u128::MAX >> 2;
+        match words[1] % 4 {
+            0 => (number + 1).next_power_of_two() - u128::from(words[2] & 1),
+            _ => number,
+        }
+    };
+    (0..300_000).find_map(|_| {
+        let total = any().max(1);
+        let x = match any() {
+            part @ 0..4 => total.saturating_sub(part),
+            part => part % (total + 1),
+        };
+        let wrong = share(&Divisor::of(total), x) != scaled_on::<false>(x, total, 32);
+        wrong.then_some([x, total])
+    })
+}
+
+#[test]
+fn sums_are_divided_by_a_total_as_digit_by_digit() {
+    assert_eq!(wrong_share(|total, x| total.scaled(x, 32)), None);
+    let cut = |total: &Divisor, x| (total.scaled(x, 32).0 & !1, total.scaled(x, 32).1);
+    assert!(wrong_share(cut).is_some());
 }
 
 /// The largest error of a root of numbers of two neighbouring exponents, which stand for all, in units in the last place.
