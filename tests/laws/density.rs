@@ -197,3 +197,23 @@ fn densities_with_samples_keep_their_digits_at_the_smallest_uniforms() {
     let error = (density / normal.pdf(x) - 1.0).abs();
     assert!(error <= 1e-4, "{density:e} at {x:e}");
 }
+
+/// The density of a Weibull law at 0 is that of its power of x: without end, of the rate, or none, which counts as the smallest
+/// number since 0 is in the domain.
+#[test]
+fn a_weibull_law_has_the_density_of_its_power_at_0() {
+    let least = f32::from_bits(1);
+    let cases = [
+        (0.5, f32::MAX),
+        (1.0, 0.25),
+        (1.000_000_1, least),
+        (3.0, least),
+    ];
+    for (shape, due) in cases {
+        let [libm, poly] = [
+            microwarp::libm::Weibull::new(4.0, shape).unwrap().pdf(0.0),
+            microwarp::poly::Weibull::new(4.0, shape).unwrap().pdf(0.0),
+        ];
+        assert_eq!((libm, poly), (due, due));
+    }
+}

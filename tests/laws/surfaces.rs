@@ -141,16 +141,18 @@ fn capsules<T: Tier>() -> f64 {
     let mut worst = 0.0_f64;
     for _ in 0..speed::of("capsules", 60_000, 1_000_000) {
         let [mut height, mut radius] = [(); 2].map(|()| size(&mut rng, -30.0, 30.0));
+        let mut u = [edge(&mut rng), edge(&mut rng)];
         if rng.next_u32() % 8 == 0 {
             // As thin as `f32` can say, at heights that make up for it.
             radius = (70.0 * uniform::grid(&mut rng) - 149.0).exp2();
             height = 2e-38 / radius * (30.0 * uniform::grid(&mut rng)).exp2();
+            // On a half sphere so small that only the smallest uniforms are.
+            u[0] *= radius / (height + 2.0 * radius);
         }
         let Ok(warp) = CapsuleSurface::<T>::new(height, radius) else {
             assert_eq!(radius, 0.0);
             continue;
         };
-        let u = [edge(&mut rng), edge(&mut rng)];
         let SurfacePoint { normal, .. } = warp.sample(u);
         let (h, r) = (f64::from(height), f64::from(radius));
         let [up, down] = [f64::from(u[0]), 1.0 - f64::from(u[0])].map(|u| u * (h + 2.0 * r));

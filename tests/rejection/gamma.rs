@@ -212,3 +212,22 @@ fn parameters_out_of_range_are_refused() {
         [0.0; 3]
     );
 }
+
+/// At the largest scale that a shape accepts, the furthest proposal is finite, and not far below the largest number.
+#[test]
+fn no_accepted_scale_overflows() {
+    for shape in shapes(speed::of("shapes of largest scales", 100, 1000)) {
+        let accepts = |bits: u64| poly::Gamma::new(shape, f32::from_bits(bits as u32)).is_ok();
+        let [one, end] = [1.0, f32::INFINITY].map(|x: f32| u64::from(x.to_bits()));
+        let scale = f32::from_bits(first_without(one..end, accepts) as u32 - 1);
+        let sampler = poly::Gamma::new(shape, scale).unwrap();
+        let furthest = [0, u32::MAX].map(|place| sampler.attempt([place, 0, u32::MAX]));
+        let largest = furthest.into_iter().flatten().fold(0.0, f32::max);
+        assert!(largest.is_finite(), "{shape} {scale:e}");
+        // Of the smallest shapes even the last word makes a number small.
+        assert!(
+            shape < 0.1 || largest >= 0.4 * f32::MAX,
+            "{shape} {scale:e}: {largest:e}"
+        );
+    }
+}

@@ -123,25 +123,36 @@ impl Exact {
     }
 }
 
-/// A law of words.
+/// A law of words, of one of so many dimensions.
+macro_rules! law_of {
+    ($format:ty, $grade:ty, $means:ident, $deviations:ident, $correlations:ident; $($d:literal)*) => {
+        match $means.len() {
+            $($d => {
+                let steps = |of: &[i32]| std::array::from_fn(|i| FixedI32::<$format>::from_bits(of[i]));
+                let matrix = std::array::from_fn(|i| std::array::from_fn(|j| I2F30::from_bits($correlations[i][j])));
+                MultivariateNormal::<$format, $d, $grade>::new(steps($means), steps($deviations), matrix).map(raw)
+            })*
+            _ => unreachable!(),
+        }
+    };
+}
+
+/// A law of words of few dimensions, since each is compiled for each format that is asked for.
 pub fn law<Frac: LeEqU32 + Send + Sync + 'static, G: Grade>(
     means: &[i32],
     deviations: &[i32],
     correlations: &[Vec<i32>],
 ) -> Result<Box<dyn Raw>, Error> {
-    macro_rules! of {
-        ($($d:literal)*) => {
-            match means.len() {
-                $($d => {
-                    let steps = |of: &[i32]| std::array::from_fn(|i| FixedI32::<Frac>::from_bits(of[i]));
-                    let matrix = std::array::from_fn(|i| std::array::from_fn(|j| I2F30::from_bits(correlations[i][j])));
-                    MultivariateNormal::<Frac, $d, G>::new(steps(means), steps(deviations), matrix).map(raw)
-                })*
-                _ => unreachable!(),
-            }
-        };
-    }
-    of!(1 2 3 4 5 6 7)
+    law_of!(Frac, G, means, deviations, correlations; 1 2 3 4)
+}
+
+/// A law of words in one format.
+fn law_of_any_dimension(
+    means: &[i32],
+    deviations: &[i32],
+    correlations: &[Vec<i32>],
+) -> Result<Box<dyn Raw>, Error> {
+    law_of!(U16, Fine, means, deviations, correlations; 2 3 4 5 6 7)
 }
 
 /// A matrix of correlations from partial ones, each given those before it: any of those make one that is semi-definite.
@@ -535,7 +546,7 @@ fn any_matrix_has_a_verdict() {
         let words: Vec<u32> = (0..8)
             .map(|_| rng.next_u32() | if round % 7 == 0 { 0xffff_ff00 } else { 0 })
             .collect();
-        match law::<U16, Fine>(&vec![0; d], &deviations, &matrix) {
+        match law_of_any_dimension(&vec![0; d], &deviations, &matrix) {
             Ok(law) => {
                 let point = law.sample(&words);
                 assert!(law.pdf(&point) > 0, "{matrix:?} {deviations:?} {words:?}");

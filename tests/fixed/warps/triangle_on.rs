@@ -362,6 +362,20 @@ fn any_point_has_an_inverse() {
     }
 }
 
+/// A point of the box that both sides at an obtuse vertex turn away from leads to that vertex, whichever of the three it is.
+#[test]
+fn a_point_beyond_a_vertex_leads_to_it() {
+    let mut vertices = [[0, 0], [60 << 10, 40 << 10], [100 << 10, 100 << 10]];
+    for _ in 0..3 {
+        let warp = new::<U16, 2, Fine>(vertices);
+        let beyond = [100 << 10, 0].map(FixedI32::from_bits);
+        let found = warp.sample(warp.invert(beyond)).map(FixedI32::to_bits);
+        let off = [found[0] - (60 << 10), found[1] - (40 << 10)];
+        assert!(off.iter().all(|x| x.abs() <= 4), "{vertices:?}: {found:?}");
+        vertices.rotate_left(1);
+    }
+}
+
 #[test]
 fn vertices_too_far_apart_or_on_a_line_are_refused() {
     let new = |vertices: [[i32; 2]; 3]| {

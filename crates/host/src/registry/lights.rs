@@ -168,6 +168,7 @@ pub(super) fn registered<T: Tier>() -> Vec<Registered> {
             .refuse(&[0.0, 0.0, NAN, -0.6, -0.5, 0.8, 1.0, 0.1, 0.1, -0.1, 1.0, 0.2], NotFinite(0))
             .refuse(&[0.0, 0.0, 0.0, -0.6, -0.5, 0.8, 1e20, 0.1, 0.1, -0.1, 1.0, 0.2], TooLarge(Error::NO_PLACE))
             .refuse(&[0.0, 0.0, 0.0, -0.6, -0.5, 0.8, 0.0, 0.0, 0.0, -0.1, 1.0, 0.2], ZeroLength(2))
+            .refuse(&[0.0, 0.0, 0.0, 0.0, 0.0, 1e-20, 1e-20, 0.0, 0.0, 0.0, 0.0, 0.0], ZeroLength(2))
             .refuse(&[0.0, 0.0, 0.0, -0.6, -0.5, 0.8, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0], Empty(Error::NO_PLACE))
             .refuse(&[0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0], Empty(Error::NO_PLACE))
             .refuse(&[0.0, 0.0, 0.0, -0.5, -0.6, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0], NotNormalizable(Error::NO_PLACE))
