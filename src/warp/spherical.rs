@@ -166,7 +166,7 @@ impl<T: Tier> Spherical<T> {
 ///
 /// | error | `libm` | `poly` | kind |
 /// |---|--:|--:|---|
-/// | sample, of the size | 6.1e-7 | 6.1e-7 | found |
+/// | sample, of the size | 6.4e-7 | 6.4e-7 | found |
 /// | unit length | 2.7e-7 | 3.3e-7 | found |
 /// | pdf, relative | 7.5e-7 | 7.5e-7 | found |
 /// | realised density, relative | 7.5e-7 | 7.5e-7 | found |

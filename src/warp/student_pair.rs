@@ -36,7 +36,7 @@ use core::marker::PhantomData;
 /// | sample, of the distance or the location | 8.3e-7 | found |
 /// | pdf, relative | 7.4e-7 | found |
 /// | realised density, relative | 8.6e-7 + 12*s/max(0, 1 - w/1e6) | found |
-/// | inverse | 2e-7 | found |
+/// | inverse | 2.1e-7 | found |
 /// | round trip | 3e-7 + 4.5*r | found |
 ///
 /// w is the larger |location| over σ; no realised density is stated from 1e6 on. s and r are the relative change of the density

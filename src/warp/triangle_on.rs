@@ -37,7 +37,7 @@ use crate::uniform::Canonical;
 /// | sample, of the size | 5.6e-7 | proven |
 /// | pdf, relative | 3.1e-7 | found |
 /// | realised density, relative | 3.1e-7 | found |
-/// | inverse | min(1, 7.2e-7 + 8.6e-7/h + 1.4·r) | found |
+/// | inverse | min(1, 8.3e-7 + 8.6e-7/h + 1.4·r) | found |
 /// | round trip | min(1, 5e-7 + 6e-7/h + 6*r) | found |
 ///
 /// These hold for every triangle accepted in two or three dimensions. The error of a sample is proven for all of them and every

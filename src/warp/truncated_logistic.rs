@@ -55,8 +55,8 @@ fn reached(share: f32) -> f32 {
 /// | sample, ulp of location or distance | 13 | found |
 /// | pdf, relative | 1.1e-6 | found |
 /// | realised density, relative | 1.1e-6 + 4*s/max(0, 1 - w/1e6) | found |
-/// | pdf with the sample, relative | 7.2e-7 | found |
-/// | inverse | 6.6e-7 | found |
+/// | pdf with the sample, relative | 7.5e-7 | found |
+/// | inverse | 6.8e-7 | found |
 /// | round trip | 7e-7 + 4.5*r | found |
 ///
 /// A draw keeps the bound of a sample at the exact middle of its word. w is |x₀|/s. No realised density is stated from

@@ -58,10 +58,10 @@ pub struct SurfaceSample {
 /// |---|--:|--:|---|
 /// | sample, of the size | 9e-7 | 9e-7 | found |
 /// | unit length | 5.3e-7 | 5.3e-7 | found |
-/// | pdf, relative | 8.7e-7 | 8.7e-7 | found |
-/// | realised density, relative | 8.6e-7 | 8.6e-7 | found |
+/// | pdf, relative | 9e-7 | 9e-7 | found |
+/// | realised density, relative | 9e-7 | 9e-7 | found |
 /// | inverse | min(1, 5e-7 + 15*r) | min(1, 5e-7 + 15*r) | found |
-/// | round trip | min(1, 6.2e-7 + 7.3*r) | min(1, 6.2e-7 + 7.3*r) | found |
+/// | round trip | min(1, 6.2e-7 + 11*r) | min(1, 6.2e-7 + 11*r) | found |
 ///
 /// In both tiers k is right to 8e-7 and the distance to 1.9e-6, relatively. The distance belongs to the uniforms, and
 /// loses digits where it is below 1e-37, or the point nearer to the surface than 1e-37 radii.
