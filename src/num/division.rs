@@ -78,7 +78,7 @@ const fn next_digits(rest: u128, total: u128, count: u32) -> (u64, u128) {
 #[derive(Clone, Copy)]
 pub(crate) struct Divisor {
     /// Above 0 and below 2^127.
-    pub(crate) total: u128,
+    total: u128,
     /// Nothing on small cores.
     inverse: [Inverse; DIVIDES as usize],
 }
