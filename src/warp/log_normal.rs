@@ -51,6 +51,7 @@ use core::marker::PhantomData;
 /// w = 1e6 on, where those of neighbouring `f32` differ by a factor. s and r are the relative change of the density and the
 /// change of the inverse when x moves by one ulp. The part of the sample's error in proportion to σ comes from the last places of Φ⁻¹(u),
 /// which is −14.2 at its lowest.
+/// The density with a sample of 2⁻¹⁴⁹, the smallest number, is that of this point and not of what was rounded to it.
 ///
 /// # Cost
 /// One draw in `poly`, PCG32 included, takes <!-- figure: cost LogNormal -->90 instructions and 1,120 bytes of code on an M4F, 2,590 instructions on an M0<!-- -->.
