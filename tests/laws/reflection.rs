@@ -82,7 +82,6 @@ fn a_reflection_mirrors_the_view_with_the_density_of_its_direction() {
     mirrors::<Poly>();
 }
 
-/// The integral of a density over all directions, those below the surface too, and the part of the reflections above it.
 /// A view has its normals whatever its length, to the bit: hosts take a shorter way for ordinary lengths.
 #[test]
 fn a_view_of_any_length_has_the_same_normals() {
@@ -101,6 +100,7 @@ fn a_view_of_any_length_has_the_same_normals() {
     assert!(other > 1_000, "{other}");
 }
 
+/// The integral of a density over all directions, those below the surface too, and the part of the reflections above it.
 fn integral(warp: &GgxVisible<Poly>, density: impl Fn([f32; 3]) -> f32) -> f64 {
     let (rows, turns) = (600, 600);
     let w = warp.view().map(f64::from);
