@@ -38,21 +38,12 @@ impl<'a> Apportionment<'a> {
     }
 
     pub(crate) const fn new(weights: Weights<'a>, bits: u32) -> Result<Self, Error> {
-        let mut ends = Self {
-            weights,
-            bits,
-            total: Divisor::of(1),
-            sum: 0,
-            end: 0,
-            crowded: false,
-            needed: 0,
-            last: 0,
-        };
-        let (mut total, mut smallest, mut least, mut index) = (0_u128, u128::MAX, 0, 0_usize);
+        let (mut total, mut smallest) = (0_u128, u128::MAX);
+        let (mut index, mut least, mut last) = (0_usize, 0, 0);
         let mut scan = weights;
         while let Some(weight) = scan.next() {
             if weight > 0 {
-                ends.last = index;
+                last = index;
                 if weight < smallest {
                     (smallest, least) = (weight, index);
                 }
@@ -63,8 +54,17 @@ impl<'a> Apportionment<'a> {
         if total == 0 {
             return Err(Error::AllZero);
         }
-        ends.total = Divisor::of(total);
-        ends.crowded = ends.total.scaled(smallest, bits).0 == 0;
+        let total = Divisor::of(total);
+        let mut ends = Self {
+            weights,
+            bits,
+            total,
+            sum: 0,
+            end: 0,
+            crowded: total.scaled(smallest, bits).0 == 0,
+            needed: 0,
+            last,
+        };
         if ends.crowded {
             let mut scan = weights;
             while let Some(weight) = scan.next() {
