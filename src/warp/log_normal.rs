@@ -5,8 +5,8 @@ use super::normal::{FRAC_1_SQRT_TAU, exponent};
 use super::{Invert, Warp, drawn_with_pdf};
 use crate::error::{Error, finite, positive, tried};
 use crate::num::{
-    SMALLEST, Scaled, clamp, folded, into_unit, product, quick_two_sum, representable, tail,
-    two_product, two_sum,
+    SMALLEST, Scaled, clamp, folded, into_unit, power_of_two, product, quick_two_sum,
+    representable, tail, two_product, two_sum,
 };
 use crate::tier::{
     LN_2, LOG2_E, Tier, density_of_tail, normal_quantile, normal_quantile_of_word,
@@ -51,7 +51,7 @@ use core::marker::PhantomData;
 /// w = 1e6 on, where those of neighbouring `f32` differ by a factor. s and r are the relative change of the density and the
 /// change of the inverse when x moves by one ulp. The part of the sample's error in proportion to σ comes from the last places of Φ⁻¹(u),
 /// which is −14.2 at its lowest.
-/// The density with a sample of 2⁻¹⁴⁹, the smallest number, is that of this point and not of what was rounded to it.
+/// What is rounded to a sample below 2⁻¹²⁶ has its own density; what lies below 2⁻¹⁴⁹, the smallest number, has that of 2⁻¹⁴⁹.
 ///
 /// # Cost
 /// One draw in `poly`, PCG32 included, takes <!-- figure: cost LogNormal -->90 instructions and 1,120 bytes of code on an M4F, 2,590 instructions on an M0<!-- -->.
@@ -89,6 +89,9 @@ pub struct LogNormal<T> {
     peak: f32,
     tier: PhantomData<T>,
 }
+
+/// 2⁶⁴ of the smallest numbers.
+const SMALLEST_RAISED: f32 = power_of_two(-85);
 
 impl<T: Tier> LogNormal<T> {
     /// Log-normal with this mean and this standard deviation of the logarithm.
@@ -149,7 +152,7 @@ impl<T: Tier> LogNormal<T> {
         let (decayed, factor) = density_of_tail(tail, z);
         let density = if tail > 1.0e-30 && x > f32::MIN_POSITIVE {
             representable(self.peak * decayed / x)
-        } else if x > SMALLEST {
+        } else if times_exp2(self.median.raised(64), steps, -0.0) > SMALLEST_RAISED {
             // Of x before it lost its digits.
             let decayed = Scaled::of(decayed).times(Scaled::of(factor));
             let number = Scaled::of(self.peak).times(decayed).over(self.median);

@@ -217,3 +217,28 @@ fn a_weibull_law_has_the_density_of_its_power_at_0() {
         assert_eq!((libm, poly), (due, due));
     }
 }
+
+/// What rounds to the smallest number has the density of the point before it was rounded, which may lie half as high again.
+#[test]
+fn a_log_normal_number_rounded_to_the_smallest_has_its_own_density() {
+    let (mean, deviation) = (-86.839_485, 3.204_307);
+    let truth = host::truth::log_normal(mean, deviation);
+    let libm = microwarp::libm::LogNormal::new(mean, deviation).unwrap();
+    let poly = microwarp::poly::LogNormal::new(mean, deviation).unwrap();
+    let least = f32::from_bits(1);
+    let (mut worst, mut flawed, mut met) = (0.0_f64, 0.0_f64, 0);
+    for k in 1_u16..400 {
+        let u = 1e-9 * f32::from(k);
+        let exact = truth.density([f64::from(u), 0.0, 0.0, 0.0]);
+        for (x, density) in [libm.sample_with_pdf(u), poly.sample_with_pdf(u)] {
+            let error = |density: f32| or_infinite((f64::from(density) / exact - 1.0).abs());
+            worst = worst.max(error(density));
+            if x <= least {
+                met += 1;
+                flawed = flawed.max(error(poly.pdf(x)));
+            }
+        }
+    }
+    assert!(worst <= 7.2e-6, "{worst:e}");
+    assert!(met > 100 && flawed > 0.1, "{met} samples, {flawed:e}");
+}
