@@ -113,6 +113,7 @@ const _: fn() = {
 
 mod annulus;
 mod bilinear;
+mod bits;
 mod cone;
 mod direction;
 mod disk;

@@ -1,15 +1,15 @@
 //! The normal distribution of several correlated numbers, semi-definite too.
 
 mod factor;
+mod law;
 
-use self::factor::{Factors, Rows, at, entry, put};
-use super::direction::{Scaled, UNIT, square_of};
+use self::factor::{at, put};
+use self::law::Law;
+use super::bits::{bits, of_bits};
 use super::grade::{Fine, Grade};
-use super::kernel::product::near_of_signed;
-use super::normal::{around, bell, outside, radius};
 use super::{Coordinate, Density, Deviate, Uniform};
 use crate::error::{Error, tried};
-use crate::num::division::{fraction, scaled};
+use crate::num::division::scaled;
 use crate::uniform::{Canonical, Uniforms};
 use crate::warp::{Invert, Warp};
 use ::fixed::FixedI32;
@@ -121,32 +121,8 @@ use sealed::InPairs;
 #[doc(alias = "imu")]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct MultivariateNormal<Frac, const D: usize, G = Fine> {
-    means: [i32; D],
-    /// σ, shifted until 31 bits are set, and by how much. 0 stays.
-    deviations: [u32; D],
-    shifts: [u8; D],
-    /// Rows of L times these deviations. Products with numbers in Q27 are 2⁵ too small.
-    factor: Rows<i32, D>,
-    /// How many steps a coordinate that is not free may be off what the free ones say.
-    slack: [u32; D],
-    /// First the free coordinates, in the order in which each follows from those before it, then the others.
-    order: [u8; D],
-    rank: u8,
-    /// The density at the mean.
-    peak: Scaled,
+    law: Law<D>,
     format: PhantomData<(Frac, G)>,
-}
-
-/// 1/√2π.
-const PER_ROOT_TAU: Scaled = Scaled::normal(1_713_444_047, 0);
-
-/// How far points lie from their means, at most, of a deviation in steps.
-const fn reach(deviation: i32, numbers: usize) -> i64 {
-    /// 6.67², of each pair.
-    const SQUARE: u64 = 2_915_625;
-    // In Q32; a step for rounding.
-    let squares = (((numbers as u64 + 1) >> 1) * SQUARE) << 16;
-    ((deviation as i64 * (squares.isqrt() as i64 + 1)) >> 16) + 1
 }
 
 impl<Frac: LeEqU32, const D: usize, G: Grade> MultivariateNormal<Frac, D, G>
@@ -165,140 +141,30 @@ where
         deviations: [FixedI32<Frac>; D],
         correlations: [[Coordinate; D]; D],
     ) -> Result<Self, Error> {
-        if D < 1 {
-            return Err(Error::Empty(Error::NO_PLACE));
-        }
-        let mut law = Self {
-            means: [0; D],
-            deviations: [0; D],
-            shifts: [5; D],
-            factor: [[0; D]; D],
-            slack: [0; D],
-            order: [0; D],
-            rank: 0,
-            peak: UNIT,
+        let (means, deviations) = (bits(&means), bits(&deviations));
+        let law = tried!(Law::new(means, deviations, &correlations, Frac::I32));
+        Ok(Self {
+            law,
             format: PhantomData,
-        };
-        let (mut varies, mut i) = ([false; D], 0);
-        while i < D {
-            let mean = at(&means, i, FixedI32::ZERO).to_bits();
-            let deviation = at(&deviations, i, FixedI32::ZERO).to_bits();
-            if deviation < 0 {
-                return Err(Error::Negative(1));
-            }
-            let room = i32::MAX as i64 - reach(deviation, D);
-            if deviation >= 1 << 26 || (deviation > 0 && mean.unsigned_abs() as i64 > room) {
-                return Err(Error::TooLarge(1));
-            }
-            put(&mut law.means, i, mean);
-            if deviation > 0 {
-                let shift = deviation.leading_zeros() - 1;
-                put(&mut law.deviations, i, (deviation as u32) << shift);
-                put(&mut law.shifts, i, shift as u8);
-                put(&mut varies, i, true);
-            }
-            i += 1;
-        }
-        let factors = tried!(Factors::new(&correlations, varies));
-        law.order = factors.order;
-        law.rank = factors.rank as u8;
-        law.scale(&factors);
-        law.allow(&factors);
-        Ok(law)
+        })
     }
 
-    /// Takes over the factor, in the units of the deviations, and the density at the mean.
-    const fn scale(&mut self, factors: &Factors<D>) {
-        let (mut peak, mut i) = (UNIT, 0);
-        while i < D {
-            let (mut row, mut j) = ([0; D], 0);
-            let own = at(&self.deviations, i, 0);
-            while j < D {
-                let part = entry(&factors.factor, i, j);
-                // At most 2³¹ · 2³².
-                let product = part.unsigned_abs() * own as u64;
-                let nearest = (product >> 31).div_ceil(2);
-                let most = i32::MAX as u64;
-                let magnitude = if nearest < most { nearest } else { most } as i32;
-                put(&mut row, j, if part < 0 { -magnitude } else { magnitude });
-                j += 1;
-            }
-            put(&mut self.factor, i, row);
-            let (root, digits) = at(&factors.diagonal, i, (0, 0));
-            if root > 0 {
-                let shift = at(&self.shifts, i, 0) as i32;
-                let deviation = Scaled::of(own as u64, Frac::I32 + shift);
-                let own = deviation.times(Scaled::of(root as u64, digits));
-                let own = Scaled::normal(own.mantissa, own.exponent);
-                peak = peak.over(own).times(PER_ROOT_TAU);
-                peak = Scaled::normal(peak.mantissa, peak.exponent);
-            }
-            i += 1;
-        }
-        // Any larger one exceeds the largest density just so.
-        if peak.exponent < -63 {
-            peak.exponent = -63;
-        }
-        self.peak = peak;
-    }
-
-    /// What rounding of a point to its steps does to z, in Q32, and to what the free coordinates say of the others.
-    const fn allow(&mut self, factors: &Factors<D>) {
-        /// What the products of a sample cut, in each.
-        const CUT: u128 = 3 << 5;
-        let (mut errors, mut place) = ([0_u128; D], 0);
-        while place < D {
-            let i = at(&self.order, place, 0) as usize;
-            let row = at(&self.factor, i, [0; D]);
-            let shift = at(&self.shifts, i, 0);
-            let (mut off, mut j) = (((1 << shift) + CUT * D as u128) << 32, 0);
-            while j < D {
-                off += at(&row, j, 0).unsigned_abs() as u128 * at(&errors, j, 0);
-                j += 1;
-            }
-            if place < factors.rank {
-                // By the order, what others add is at most three times as much for each of them, so that 2⁹⁰ is out of reach.
-                let own = at(&row, i, 1) as u128;
-                put(&mut errors, i, scaled(off, own << 90, 90).0 + 1);
-            } else if at(&self.deviations, i, 0) > 0 {
-                let steps = (off >> 32 >> shift) + 1;
-                let most = u32::MAX as u128;
-                put(
-                    &mut self.slack,
-                    i,
-                    if steps < most { steps } else { most } as u32,
-                );
-            }
-            place += 1;
-        }
-    }
-}
-
-impl<Frac: LeEqU32, const D: usize, G: Grade> MultivariateNormal<Frac, D, G>
-where
-    [Uniform; D]: InPairs,
-{
     /// The means.
     #[must_use]
     pub const fn means(&self) -> [FixedI32<Frac>; D] {
-        let (mut means, mut i) = ([FixedI32::ZERO; D], 0);
-        while i < D {
-            put(&mut means, i, FixedI32::from_bits(at(&self.means, i, 0)));
-            i += 1;
-        }
-        means
+        of_bits(&self.law.means)
     }
 
     /// The standard deviations.
     #[must_use]
     pub const fn deviations(&self) -> [FixedI32<Frac>; D] {
-        let (mut deviations, mut i) = ([FixedI32::ZERO; D], 0);
+        let (mut deviations, mut i) = ([0; D], 0);
         while i < D {
-            let deviation = at(&self.deviations, i, 0) >> at(&self.shifts, i, 0);
-            put(&mut deviations, i, FixedI32::from_bits(deviation as i32));
+            let deviation = at(&self.law.deviations, i, 0) >> at(&self.law.shifts, i, 0);
+            put(&mut deviations, i, deviation as i32);
             i += 1;
         }
-        deviations
+        of_bits(&deviations)
     }
 
     /// L, with L Lᵀ = C, the matrix of correlations. In a row and column for each coordinate; the column of one that is not free is
@@ -308,7 +174,10 @@ where
         let (mut factor, mut i) = ([[Coordinate::ZERO; D]; D], 0);
         while i < D {
             let (mut parts, mut j) = ([Coordinate::ZERO; D], 0);
-            let (row, own) = (at(&self.factor, i, [0; D]), at(&self.deviations, i, 0));
+            let (row, own) = (
+                at(&self.law.factor, i, [0; D]),
+                at(&self.law.deviations, i, 0),
+            );
             while j < D && own > 0 {
                 let part = at(&row, j, 0);
                 let twice = scaled(part.unsigned_abs() as u128, own as u128, 31).0 as u64;
@@ -328,7 +197,7 @@ where
     pub const fn free(&self) -> [bool; D] {
         let (mut free, mut place) = ([false; D], 0);
         while place < self.rank() {
-            put(&mut free, at(&self.order, place, 0) as usize, true);
+            put(&mut free, at(&self.law.order, place, 0) as usize, true);
             place += 1;
         }
         free
@@ -337,7 +206,7 @@ where
     /// How many coordinates are free: the rank of the covariance matrix, to rounding.
     #[must_use]
     pub const fn rank(&self) -> usize {
-        self.rank as usize
+        self.law.rank as usize
     }
 
     /// The standard normal numbers z of a point, each for its coordinate and at most 16; 0 for those that are not free.
@@ -347,50 +216,7 @@ where
     #[must_use]
     #[inline]
     pub fn whiten(&self, point: [FixedI32<Frac>; D]) -> [Deviate; D] {
-        self.standardised(point).0.map(Deviate::from_bits)
-    }
-
-    /// z, and whether the coordinates that are not free are what the free ones say.
-    #[inline]
-    fn standardised(&self, point: [FixedI32<Frac>; D]) -> ([i32; D], bool) {
-        let (mut z, mut holds) = ([0; D], true);
-        for (place, i) in self.order.iter().enumerate() {
-            let i = usize::from(*i);
-            let (x, mean) = (
-                at(&point, i, FixedI32::ZERO).to_bits(),
-                at(&self.means, i, 0),
-            );
-            let shift = at(&self.shifts, i, 0);
-            let (Some(row), Some(slack)) = (self.factor.get(i), self.slack.get(i)) else {
-                continue;
-            };
-            let said = row.iter().zip(&z).fold(0, |sum, (a, z)| {
-                sum + ((i64::from(*a) * i64::from(*z)) >> 27)
-            });
-            let off = ((i64::from(x) - i64::from(mean)) << shift) - said;
-            if place < self.rank() {
-                put(&mut z, i, quotient(off, at(row, i, 0)));
-            } else {
-                holds &= off.unsigned_abs() >> shift <= u64::from(*slack);
-            }
-        }
-        (z, holds)
-    }
-}
-
-/// a/b in Q27 and to the nearest, at most 16, of a positive b.
-#[inline]
-fn quotient(a: i64, b: i32) -> i32 {
-    let (magnitude, most) = (a.unsigned_abs(), u64::from(b.unsigned_abs()) << 4);
-    let word = if magnitude < most {
-        fraction(magnitude, most).0.div_ceil(2)
-    } else {
-        1 << 31
-    };
-    if a < 0 {
-        word.wrapping_neg() as i32
-    } else {
-        word.min(i32::MAX as u32) as i32
+        of_bits(&self.law.standardised(&bits(&point)).0)
     }
 }
 
@@ -404,41 +230,12 @@ where
 
     #[inline]
     fn sample_canonical(&self, u: Canonical<Self::Uniforms>) -> [FixedI32<Frac>; D] {
-        let mut z = [0; D];
-        let (u, mut numbers) = (u.get(), z.iter_mut());
-        // Chunks divide by their length where the code is to be small, and may panic.
-        let mut words = u.as_ref().iter();
-        while let (Some(u1), Some(u2)) = (words.next(), words.next()) {
-            for x in around::<G>(radius::<G>(u1.to_bits()), u2.to_bits()) {
-                if let Some(z) = numbers.next() {
-                    *z = x;
-                }
-            }
-        }
-        let mut point = self.means;
-        for ((x, row), shift) in point.iter_mut().zip(&self.factor).zip(&self.shifts) {
-            // No sum of the first of them exceeds their lengths' product, either.
-            let off = row
-                .iter()
-                .zip(&z)
-                .fold(0, |sum, (a, z)| sum + near_of_signed(*z, *a));
-            let shift = shift - 5;
-            *x += (off + ((1 << shift) >> 1)) >> shift;
-        }
-        point.map(FixedI32::from_bits)
+        of_bits(&self.law.point::<G>(u.get().as_ref()))
     }
 
     #[inline]
     fn pdf(&self, point: [FixedI32<Frac>; D]) -> Density {
-        let (z, holds) = self.standardised(point);
-        if holds {
-            let square = z.iter().fold(0_u64, |sum, z| {
-                sum.saturating_add(square_of([z.unsigned_abs(), 0]))
-            });
-            self.peak.density(bell::<G>(square))
-        } else {
-            Density::ZERO
-        }
+        self.law.pdf::<G>(&bits(&point))
     }
 }
 
@@ -448,15 +245,8 @@ where
 {
     #[inline]
     fn invert(&self, point: [FixedI32<Frac>; D]) -> Self::Uniforms {
-        let (z, _) = self.standardised(point);
         let mut words = <[Uniform; D]>::ZEROS;
-        let (mut numbers, mut places) = (z.into_iter(), words.as_mut().iter_mut());
-        while let (Some(u1), Some(u2)) = (places.next(), places.next()) {
-            let [x, y] = [numbers.next(), numbers.next()].map(Option::unwrap_or_default);
-            let square = square_of([x, y].map(i32::unsigned_abs));
-            *u1 = Uniform::from_bits(outside::<G>(square));
-            *u2 = Uniform::from_bits(G::angle(y, x));
-        }
+        self.law.words::<G>(&bits(&point), words.as_mut());
         words
     }
 }
@@ -467,10 +257,10 @@ impl<Frac, const D: usize, G> defmt::Format for MultivariateNormal<Frac, D, G> {
         defmt::write!(
             f,
             "MultivariateNormal {{ means: {}, deviations: {} >> {}, factor: {} }}",
-            self.means,
-            self.deviations,
-            self.shifts,
-            self.factor
+            self.law.means,
+            self.law.deviations,
+            self.law.shifts,
+            self.law.factor
         );
     }
 }

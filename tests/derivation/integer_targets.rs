@@ -215,13 +215,13 @@ pub fn numbers() -> Vec<Number> {
         ),
         one("direction.rs", per_angle, FRAC_1_PI / 2.0, 32),
         one(
-            "multivariate_normal.rs",
+            "multivariate_normal/law.rs",
             "const PER_ROOT_TAU: Scaled = Scaled::normal(",
             (FRAC_1_PI / 2.0).sqrt(),
             32,
         ),
         one(
-            "multivariate_normal.rs",
+            "multivariate_normal/law.rs",
             "const SQUARE: u64 = ",
             6.67 * 6.67,
             16,

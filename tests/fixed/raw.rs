@@ -55,6 +55,7 @@ where
 
 /// What consists of numbers of 32 bits.
 pub trait OfWords: Copy {
+    const ZERO: Self;
     fn of(words: &[u32]) -> Self;
     fn words(self) -> Words;
 }
@@ -64,6 +65,7 @@ fn alone(word: u32) -> Words {
 }
 
 impl OfWords for u32 {
+    const ZERO: Self = 0;
     fn of(words: &[u32]) -> Self {
         words[0]
     }
@@ -73,6 +75,7 @@ impl OfWords for u32 {
 }
 
 impl OfWords for i32 {
+    const ZERO: Self = 0;
     fn of(words: &[u32]) -> Self {
         words[0] as i32
     }
@@ -82,6 +85,7 @@ impl OfWords for i32 {
 }
 
 impl<Frac: LeEqU32> OfWords for FixedU32<Frac> {
+    const ZERO: Self = Self::ZERO;
     fn of(words: &[u32]) -> Self {
         Self::from_bits(words[0])
     }
@@ -91,6 +95,7 @@ impl<Frac: LeEqU32> OfWords for FixedU32<Frac> {
 }
 
 impl<Frac: LeEqU32> OfWords for FixedI32<Frac> {
+    const ZERO: Self = Self::ZERO;
     fn of(words: &[u32]) -> Self {
         Self::from_bits(words[0] as i32)
     }
@@ -99,17 +104,28 @@ impl<Frac: LeEqU32> OfWords for FixedI32<Frac> {
     }
 }
 
+// By loops, since each call of `map` or `from_fn` is six functions to compile, of each type anew.
 impl<T: OfWords, const N: usize> OfWords for [T; N] {
+    const ZERO: Self = [T::ZERO; N];
     fn of(words: &[u32]) -> Self {
-        std::array::from_fn(|i| T::of(&words[i..]))
+        let mut numbers = Self::ZERO;
+        for (i, number) in numbers.iter_mut().enumerate() {
+            *number = T::of(&words[i..]);
+        }
+        numbers
     }
     fn words(self) -> Words {
-        std::array::from_fn(|i| self.get(i).map_or(0, |x| x.words()[0]))
+        let mut words = alone(0);
+        for (i, number) in self.iter().enumerate() {
+            words[i] = number.words()[0];
+        }
+        words
     }
 }
 
 /// Shares, and the rest after them.
 impl<T: OfWords, const N: usize> OfWords for ([T; N], T) {
+    const ZERO: Self = ([T::ZERO; N], T::ZERO);
     fn of(words: &[u32]) -> Self {
         (OfWords::of(words), T::of(&words[N..]))
     }
@@ -118,6 +134,22 @@ impl<T: OfWords, const N: usize> OfWords for ([T; N], T) {
         words[N] = self.1.words()[0];
         words
     }
+}
+
+/// Numbers of a format from their bits.
+pub fn of_bits<Frac: LeEqU32, const D: usize>(bits: &[i32]) -> [FixedI32<Frac>; D] {
+    let mut numbers = [FixedI32::ZERO; D];
+    for (i, number) in numbers.iter_mut().enumerate() {
+        *number = FixedI32::from_bits(bits[i]);
+    }
+    numbers
+}
+
+/// Vertices likewise.
+pub fn vertices_of_bits<Frac: LeEqU32, const D: usize>(
+    [a, b, c]: &[[i32; D]; 3],
+) -> [[FixedI32<Frac>; D]; 3] {
+    [of_bits(a), of_bits(b), of_bits(c)]
 }
 
 /// The first numbers of a point, with a sign and in steps.

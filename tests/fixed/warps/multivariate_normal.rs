@@ -1,7 +1,7 @@
 //! Correlated normals, against a factor, densities and moments in `f64`.
 
 use super::families::plane::around;
-use crate::raw::{Raw, raw};
+use crate::raw::{Raw, of_bits, raw};
 use core::f64::consts::TAU;
 use fixed::FixedI32;
 use fixed::types::extra::{LeEqU32, U0, U16, U30};
@@ -123,14 +123,23 @@ impl Exact {
     }
 }
 
+/// A matrix of correlations from its bits.
+fn matrix<const D: usize>(bits: &[Vec<i32>]) -> [[I2F30; D]; D] {
+    let mut matrix = [[I2F30::ZERO; D]; D];
+    for (i, row) in matrix.iter_mut().enumerate() {
+        *row = of_bits(&bits[i]);
+    }
+    matrix
+}
+
 /// A law of words, of one of so many dimensions.
 macro_rules! law_of {
     ($format:ty, $grade:ty, $means:ident, $deviations:ident, $correlations:ident; $($d:literal)*) => {
         match $means.len() {
             $($d => {
-                let steps = |of: &[i32]| std::array::from_fn(|i| FixedI32::<$format>::from_bits(of[i]));
-                let matrix = std::array::from_fn(|i| std::array::from_fn(|j| I2F30::from_bits($correlations[i][j])));
-                MultivariateNormal::<$format, $d, $grade>::new(steps($means), steps($deviations), matrix).map(raw)
+                let (means, deviations) = (of_bits($means), of_bits($deviations));
+                let law = MultivariateNormal::<$format, $d, $grade>::new(means, deviations, matrix($correlations));
+                law.map(raw)
             })*
             _ => unreachable!(),
         }
@@ -218,9 +227,12 @@ fn factors<const D: usize>(
     let mut worst = [0.0_f64; 2];
     for _ in 0..speed::of("matrices of each dimension", 2_000, 20_000) {
         let matrix = random(rng, D);
-        let bits = std::array::from_fn(|i| std::array::from_fn(|j| I2F30::from_bits(matrix[i][j])));
-        let deviations = [(); D].map(|()| FixedI32::from_bits((rng.next_u32() >> 7).max(1) as i32));
-        let factor = make(deviations, bits).unwrap_or_else(|e| panic!("{e}: {matrix:?}"));
+        let mut deviations = [FixedI32::ZERO; D];
+        for deviation in &mut deviations {
+            *deviation = FixedI32::from_bits((rng.next_u32() >> 7).max(1) as i32);
+        }
+        let factor =
+            make(deviations, self::matrix(&matrix)).unwrap_or_else(|e| panic!("{e}: {matrix:?}"));
         worst[0] = worst[0].max(off(factor, &matrix));
         // One sign of one correlation, where that is to be seen.
         let mut wrong = matrix;

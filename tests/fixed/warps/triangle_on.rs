@@ -1,7 +1,7 @@
 //! Triangles on vertices.
 
 use super::figures::{Figures, WORD, hold, over_pairs};
-use crate::raw::{Raw, Words, accepted, raw};
+use crate::raw::{Raw, Words, accepted, raw, vertices_of_bits};
 use fixed::FixedI32;
 use fixed::types::extra::{LeEqU32, U0, U16};
 use fixed::types::{I16F16, I32F0, U0F32};
@@ -16,7 +16,7 @@ use rand_pcg::Pcg32;
 const PAIRS: u64 = 1 << 16;
 
 fn new<Frac: LeEqU32, const D: usize, G: Grade>(vertices: [[i32; D]; 3]) -> TriangleOn<Frac, D, G> {
-    TriangleOn::new(vertices.map(|v| v.map(FixedI32::from_bits))).unwrap()
+    TriangleOn::new(vertices_of_bits(&vertices)).unwrap()
 }
 
 fn weights([u, v]: [u32; 2]) -> [f64; 3] {
@@ -154,8 +154,7 @@ fn astray<const D: usize, G: Grade>(by_parts: fn([[i32; D]; 3], Words) -> [u32; 
     let (mut astray, mut wrong) = (0, 0);
     for _ in 0..speed::of("slivers", 20_000, 1_000_000) {
         let vertices = sliver::<D>(&mut rng);
-        let bits = vertices.map(|v| v.map(FixedI32::from_bits));
-        let Some(warp) = accepted(TriangleOn::<U16, D, G>::new(bits)) else {
+        let Some(warp) = accepted(TriangleOn::<U16, D, G>::new(vertices_of_bits(&vertices))) else {
             continue;
         };
         let pair = [word(&mut rng), word(&mut rng)];
@@ -221,8 +220,7 @@ fn density_error<const D: usize>(count: u32) -> f64 {
                 rng.next_u32() as i32 >> if flat && k > 2 { 29 } else { shift }
             })
         });
-        let Ok(warp) = TriangleOn::<U16, D, Fine>::new(v.map(|v| v.map(FixedI32::from_bits)))
-        else {
+        let Ok(warp) = TriangleOn::<U16, D, Fine>::new(vertices_of_bits(&v)) else {
             continue;
         };
         let [a, b, c] = v;

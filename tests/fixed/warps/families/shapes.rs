@@ -221,7 +221,7 @@ pub(super) fn families(all: &mut Vec<Family>) {
     family!(all, "Annulus", RING, 5, |p, G| {
         let (radii, sides) = (radii(p), sides(p));
         let warp = in_format!(p[0], F, {
-            let [inner, outer] = [0, 1].map(|i| OfWords::of(&radii[i..]));
+            let (inner, outer) = (OfWords::of(&radii), OfWords::of(&radii[1..]));
             accepted(match sides {
                 None => Annulus::<F, G>::new(inner, outer),
                 Some(sides) => Annulus::<F, G>::sector(inner, outer, OfWords::of(&sides)),

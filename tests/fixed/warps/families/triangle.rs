@@ -3,9 +3,8 @@
 use super::family::{
     Family, STEP, Subject, beyond, check, density_error, family, in_format, one, uniform,
 };
-use crate::raw::{Raw, accepted, raw, signed};
+use crate::raw::{Raw, accepted, raw, signed, vertices_of_bits};
 use crate::warps::triangle_on::{density, stated};
-use fixed::FixedI32;
 use microwarp::fixed::warp::{Triangle, TriangleOn};
 
 /// Barycentric coordinates.
@@ -127,8 +126,8 @@ pub(super) fn families(all: &mut Vec<Family>) {
             ($dimensions:literal) => {{
                 let vertices = vertices::<$dimensions>(p);
                 let warp = in_format!(p[0], F, {
-                    let bits = vertices.map(|v| v.map(FixedI32::from_bits));
-                    accepted(TriangleOn::<F, $dimensions, G>::new(bits))
+                    let vertices = vertices_of_bits(&vertices);
+                    accepted(TriangleOn::<F, $dimensions, G>::new(vertices))
                 });
                 on(warp?, one(p[0]), stated::<G>(), vertices)
             }};
