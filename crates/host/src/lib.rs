@@ -6,7 +6,7 @@
 //!   `mean` of samples; `contest` and `bench` of times; `counts`, what was counted on cores; `trade`, error and time beside peers.
 //! - What it is fed with: `generators`, and `words` of the integer tier.
 //! - How it runs and shows: `parallel`, `progress`, `cli`, `table`, `draw`.
-//! - What keeps the repository: `upkeep`, with the programs `regenerate`, `linked` and `capi`.
+//! - What keeps the repository: `upkeep`, with the programs `regenerate` and `linked`.
 //!
 //! What runs on a core, without `std`, is the business of the packages beside this one.
 

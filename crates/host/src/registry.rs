@@ -508,6 +508,12 @@ fn unflat_all<P: Flat<N>, const N: usize>(all: &[[f32; N]]) -> Vec<P> {
     all.iter().map(|x| P::unflat(*x)).collect()
 }
 
+/// A way to draw, and what it gave.
+#[inline(never)]
+fn told<P: Flat<3>>(way: &'static str, (x, density): (P, f32)) -> (&'static str, Point, f32) {
+    (way, x.flat(), density)
+}
+
 /// Erases the types of a warp.
 pub fn erased<W>(warp: W) -> Arc<dyn Erased>
 where
@@ -583,9 +589,11 @@ where
         let words = W::Uniforms::try_words(&mut rng.clone()).unwrap();
         let u = W::Uniforms::from_words(words);
         let sampled = self.0.sample_canonical_with_pdf(u);
-        let all = [("drawn", one), ("filled", filled[0]), ("sampled", sampled)];
-        all.map(|(way, (x, density))| (way, x.flat(), density))
-            .into()
+        vec![
+            told("drawn", one),
+            told("filled", filled[0]),
+            told("sampled", sampled),
+        ]
     }
     fn ways(&self, rng: &Pcg32) -> Vec<(&'static str, Point)> {
         let words = W::Uniforms::try_words(&mut rng.clone()).unwrap();

@@ -67,7 +67,7 @@ fn distance(a: Point, b: Point) -> f64 {
 
 /// The largest distance of two points of uniforms of so many bits: over so many that lie evenly, and over all next to powers
 /// of two, where maps change their form. Not-a-number counts as infinite.
-fn sweep(bits: u32, axes: usize, points: u64, at: impl Fn(Uniforms) -> [Point; 2]) -> f64 {
+fn sweep(bits: u32, axes: usize, points: u64, at: &dyn Fn(Uniforms) -> [Point; 2]) -> f64 {
     let mut largest = 0.0;
     let mut look = |words: [u32; 2]| {
         let [u, v] = words.map(|word| f64::from(word >> (32 - bits) << (32 - bits)) * WORD);

@@ -1,6 +1,4 @@
-//! What the programs `regenerate` and `linked` share: files, the errors, and a common end. And the C interface as text.
-
-pub mod capi;
+//! What the programs `regenerate` and `linked` share: files, the errors, and a common end.
 
 pub use crate::root;
 use microwarp::Error;

@@ -40,7 +40,7 @@ fn registered(entry: Entry) -> Option<Sampler> {
         calls: if is_half { 2.0 } else { 1.0 },
         block: entry.warp.block(false),
         error: Box::new(move |points| {
-            sweep(24, entry.uniforms, points, |u| {
+            sweep(24, entry.uniforms, points, &|u| {
                 let u = u.map(|u| u as f32);
                 let exact = Exact::of(&entry, u, false).point;
                 [exact, wide(entry.warp.sample(u))]
@@ -61,7 +61,7 @@ where
     W: Warp<Point: Copy + Default + 'static> + Copy + 'static,
 {
     let error = move |points| {
-        sweep(32, W::Uniforms::COUNT, points, |u| {
+        sweep(32, W::Uniforms::COUNT, points, &|u| {
             let words = u.map(|u| (u / WORD) as u32);
             [law.sample(u), flat(warp.draw(&mut Cycle::new(&words)))]
         })
@@ -108,7 +108,7 @@ fn of_grade<G: Grade>(all: &mut Vec<Sampler>, floats: &'static str) {
 /// What is exact in law: its error is that of a point of the law which is rounded to the nearest that the sampler returns.
 fn rounded(axes: usize, law: Law, nearest: fn(f64) -> f64) -> impl Fn(u64) -> f64 {
     move |points| {
-        sweep(24, axes, points, |u| {
+        sweep(24, axes, points, &|u| {
             let exact = law.sample(u);
             [exact, exact.map(nearest)]
         })
@@ -187,7 +187,7 @@ fn mirrored([u, v, ..]: Uniforms) -> Point {
 
 /// The error of the height of `rejecting::lobe` and of its distance from the axis, as if its azimuth were exact.
 fn at_height(points: u64) -> f64 {
-    sweep(24, 2, points, |u| {
+    sweep(24, 2, points, &|u| {
         let z = (u[0] as f32).powf(POWER);
         let r = f64::from((1.0 - z * z).sqrt());
         let (s, c) = (std::f64::consts::TAU * u[1]).sin_cos();
@@ -205,7 +205,7 @@ fn formulas(all: &mut Vec<Sampler>) {
         flat: fn(P) -> Point,
     ) -> Sampler {
         let error = move |points| {
-            sweep(24, N, points, |u| {
+            sweep(24, N, points, &|u| {
                 let point = map(std::array::from_fn(|i| u[i] as f32));
                 [law(u), flat(point)]
             })

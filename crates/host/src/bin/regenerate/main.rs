@@ -2,6 +2,7 @@
 //!
 //! Here lives the list of steps. Each is a file of its own, or a command that the repository has for it.
 
+mod capi;
 mod golden;
 mod host;
 mod javascript;
@@ -12,7 +13,7 @@ mod sources;
 mod tables;
 mod tradeoff;
 
-use microwarp_host::upkeep::{Outcome, capi, end, read, root, write};
+use microwarp_host::upkeep::{Outcome, end, root};
 use std::process::{Command, ExitCode};
 
 const HELP: &str = "\
@@ -42,6 +43,7 @@ Regenerates what is derived from the sources, in this order:
                     and hours for all
     --kernel NAME   with --costs: only the kernels whose names match this regular expression
     --host          runs the benches as well: docs/measured/host.csv, tradeoff.csv, peers.md; wants a quiet machine
+    --print PART    no step: prints a part of the tests of the C interface, golden or hostile
     --help          this text";
 
 #[derive(Default)]
@@ -53,6 +55,7 @@ pub struct Args {
     costs: bool,
     kernels: Vec<String>,
     host: bool,
+    print: Option<String>,
 }
 
 /// A step's name and what it does.
@@ -75,12 +78,15 @@ const STEPS: [Step; 12] = [
     ("tradeoff", |args| tradeoff::step(args.check)),
     ("pictures", pictures),
     ("pages", |args| pages::step(args.check)),
-    ("capi", |args| capi(args.check)),
+    ("capi", |args| capi::step(args.check)),
     ("tidy", |_| sources::tidy()),
 ];
 
 fn main() -> ExitCode {
     end(parse().and_then(|args| match args {
+        Some(Args {
+            print: Some(part), ..
+        }) => capi::print(&part),
         Some(args) => run(&args),
         None => {
             println!("{HELP}");
@@ -105,6 +111,7 @@ fn parse() -> Outcome<Option<Args>> {
                 Long("costs") => args.costs = true,
                 Long("kernel") => args.kernels.push(text(&mut parser)?),
                 Long("host") => args.host = true,
+                Long("print") => args.print = Some(text(&mut parser)?),
                 Long("help") => return Ok(true),
                 other => return Err(other.unexpected()),
             }
@@ -228,24 +235,6 @@ fn sizes(args: &Args) -> Outcome {
     command(&[".ci/sizes", "--write"], &[], false)?;
     command(&["examples/firmware/check", "--write"], &[], false)?;
     command(&["bindings/c/check", "--write"], &[], false).map(drop)
-}
-
-/// The headers of the C interface, and the sizes that every target is held to.
-fn capi(check: bool) -> Outcome {
-    let headers = capi::HEADERS.map(|(path, _)| path).into_iter();
-    let headers = headers.zip(capi::headers()?);
-    for (path, text) in headers.chain([(capi::LAYOUT, capi::layout())]) {
-        let changed = text.replacen("_disk", "_disc", 1);
-        if changed == text || same(path, &changed, &text).is_ok() {
-            return Err(format!("control: a changed line of {path} passes"));
-        }
-        if check {
-            same(path, &read(path)?, &text)?;
-        } else {
-            write(path, &text)?;
-        }
-    }
-    Ok(())
 }
 
 /// Fails at the first line that is another.

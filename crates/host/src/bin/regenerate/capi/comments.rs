@@ -1,8 +1,8 @@
 //! What the crate's documentation says of a type, for comments in C.
 
 use super::header::upper_case;
-use crate::docs;
-use crate::upkeep::{Outcome, root};
+use microwarp_host::docs;
+use microwarp_host::upkeep::{Outcome, root};
 use std::collections::{BTreeSet, HashMap};
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -33,7 +33,7 @@ impl Comments {
     /// Those of a list of warps, and of the folder with their files.
     pub fn read(list: &str, folder: &str) -> Outcome<Self> {
         let mut comments = Self {
-            sentences: sentences(&crate::upkeep::read(list)?),
+            sentences: sentences(&microwarp_host::upkeep::read(list)?),
             errors: HashMap::new(),
             points: HashMap::new(),
             files: HashMap::new(),

@@ -2,7 +2,7 @@
 
 use super::bound::{Bound, Stored};
 use super::form::Form;
-use crate::upkeep::wrapped;
+use microwarp_host::upkeep::wrapped;
 use std::collections::BTreeSet;
 use std::fmt::Write;
 

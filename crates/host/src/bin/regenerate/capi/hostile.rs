@@ -4,7 +4,7 @@ use super::bound::Bound;
 use super::comments::Comments;
 use super::form::Form;
 use super::header::{FIXED, POLY};
-use crate::upkeep::Outcome;
+use microwarp_host::upkeep::Outcome;
 use std::collections::BTreeSet;
 use std::fmt::Write;
 

@@ -4,7 +4,7 @@ use super::bound::{self, Block, Bound};
 use super::comments::Comments;
 use super::declare::index;
 use super::declare::{WIDTH, declare, structure};
-use crate::upkeep::{Outcome, errors, read, wrapped};
+use microwarp_host::upkeep::{Outcome, errors, read, wrapped};
 use std::collections::BTreeSet;
 use std::fmt::Write;
 
