@@ -87,15 +87,19 @@ static GRID: LazyLock<u32> =
 static WORDS: LazyLock<u32> =
     LazyLock::new(|| speed::or_all("one word tried of every", 40_009, 257, 1));
 
-/// The same over uniforms of [0, 1), and over those at which earlier searches met the most; `note` takes one and its bits.
-fn over_uniforms(unit: &Unit, note: impl Fn(&mut Reach, f32, u32) + Sync) -> Reach {
+/// A control, whose faults show anywhere, tries one of so many of these inputs.
+pub static FEWER: LazyLock<u32> =
+    LazyLock::new(|| speed::of("one input of a control of every", 1, 17));
+
+/// The same over one of every `fewer` uniforms of [0, 1), and over those at which earlier searches met the most; `note` takes one and its bits.
+fn over_uniforms(unit: &Unit, fewer: u32, note: impl Fn(&mut Reach, f32, u32) + Sync) -> Reach {
     let each = |reach: &mut Reach, u: f32| note(reach, u, u.to_bits());
     let last = 1.0_f32.to_bits() - 1;
-    let mut parts = in_parts(last, *EVERY, |reach, bits| {
+    let mut parts = in_parts(last, *EVERY * fewer, |reach, bits| {
         each(reach, f32::from_bits(bits));
     });
     if *EVERY > 1 {
-        parts.extend(in_parts((1 << 24) - 1, *GRID, |reach, i| {
+        parts.extend(in_parts((1 << 24) - 1, *GRID * fewer, |reach, i| {
             each(reach, i as f32 / 16_777_216.0);
         }));
     }
@@ -111,29 +115,33 @@ fn out(x: f32, steps: u32) -> f32 {
 }
 
 /// Of samples of uniforms, taken `wrong` steps of `f32` too far out.
-pub fn of_uniforms(unit: &Unit, least: f64, wrong: u32) -> Reach {
-    over_uniforms(unit, |reach, u, at| {
+pub fn of_uniforms(unit: &Unit, least: f64, wrong: u32, fewer: u32) -> Reach {
+    over_uniforms(unit, fewer, |reach, u, at| {
         let x = unit.sample(u);
         reach.note(out(x, wrong), unit.exact(u.into(), x), least, at);
     })
 }
 
 /// The same, and of words where a draw keeps the bound.
-pub fn of_samples(unit: &Unit, least: f64, wrong: u32) -> [Reach; 2] {
+pub fn of_samples(unit: &Unit, least: f64, wrong: u32, fewer: u32) -> [Reach; 2] {
     let of_words = if unit.has_words() {
-        Reach::of(&in_parts(u32::MAX, *WORDS, |reach: &mut Reach, word| {
-            let x = unit.drawn(word);
-            reach.note(out(x, wrong), unit.exact(middle(word), x), least, word);
-        }))
+        Reach::of(&in_parts(
+            u32::MAX,
+            *WORDS * fewer,
+            |reach: &mut Reach, word| {
+                let x = unit.drawn(word);
+                reach.note(out(x, wrong), unit.exact(middle(word), x), least, word);
+            },
+        ))
     } else {
         Reach::default()
     };
-    [of_uniforms(unit, least, wrong), of_words]
+    [of_uniforms(unit, least, wrong, fewer), of_words]
 }
 
 /// Of densities with samples.
 pub fn of_densities(unit: &Unit) -> Reach {
-    over_uniforms(unit, |reach, u, at| {
+    over_uniforms(unit, 1, |reach, u, at| {
         reach.note(unit.density(u), unit.exact_density(u.into()), 0.0, at);
     })
 }

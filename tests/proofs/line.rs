@@ -3,7 +3,7 @@
 
 use crate::direct;
 use crate::kept;
-use crate::kernels::{self, By, MARGIN, Reach, rounded, rounded_relatively};
+use crate::kernels::{self, By, FEWER, MARGIN, Reach, rounded, rounded_relatively};
 use crate::laws::{LAWS, Law};
 use crate::maps::Row;
 use crate::report::{self, Line, complaint_of_half};
@@ -81,7 +81,7 @@ fn found(of: &Registered, inputs: &[u32], densities: &[u32]) -> Figures {
 
 /// The rows of a law in a tier.
 fn outcome(law: &Law, of: &Registered) -> Vec<(&'static str, Row)> {
-    let of_samples = kernels::of_samples(&Unit::new(of, law.sample.unit), law.least(), 0);
+    let of_samples = kernels::of_samples(&Unit::new(of, law.sample.unit), law.least(), 0, 1);
     let of_densities = law.density.as_ref().map(|density| {
         let reach = kernels::of_densities(&Unit::new(of, density.unit));
         let proven = rounded_relatively(&reach, density.roundings);
@@ -153,7 +153,8 @@ fn a_broken_link_of_the_argument_on_the_line_is_noticed() {
         let of = law.registered("poly").expect("a law");
         let (_, [_, stated]) = stated(law.name, SAMPLE);
         let unit = Unit::new(&of, law.sample.unit);
-        let [right, wrong] = [0, 1].map(|wrong| kernels::of_samples(&unit, law.least(), wrong));
+        let [right, wrong] =
+            [0, 1].map(|wrong| kernels::of_samples(&unit, law.least(), wrong, *FEWER));
         let found = found(&of, &right[0].inputs, &[]).sample;
         let judged = |proven| complaint_of_half(Row { proven, found }, stated);
         assert_eq!(judged(proven(law, &right)), None, "{}", law.name);

@@ -19,7 +19,7 @@ use microwarp::tier::{Libm, Poly, Tier};
 /// By what part of itself the quotient is off: the logarithm, which is that of the standard exponential law, m and the quotient.
 fn of_quotients<T: Tier>() -> f64 {
     let unit = Unit::new(&by_name("Exponential", T::NAME), &[1.0]);
-    (of_uniforms(&unit, 0.0, 0).most() + MARGIN + 2.0) * UNIT
+    (of_uniforms(&unit, 0.0, 0, 1).most() + MARGIN + 2.0) * UNIT
 }
 
 /// Every quotient from here is tried, to the largest logarithm, which is below 17.
