@@ -1261,8 +1261,8 @@ export declare class Pareto extends Warp<number, number> {
  * A draw keeps the bound of a sample at the exact middle of its word. d is σ, and w is 1/σ. Little is stated of
  * densities from w = 1e6 on, where those of neighbouring `f32` differ by a factor. s and r are the relative change of
  * the density and the change of the inverse when x moves by one ulp. The part of the sample's error in proportion to σ
- * comes from the last places of Φ⁻¹(u), which is −14.2 at its lowest. The density with a sample of 2⁻¹⁴⁹, the smallest
- * number, is that of this point and not of what was rounded to it.
+ * comes from the last places of Φ⁻¹(u), which is −14.2 at its lowest. What is rounded to a sample below 2⁻¹²⁶ has its
+ * own density; what lies below 2⁻¹⁴⁹, the smallest number, has that of 2⁻¹⁴⁹.
  *
  * **Source**
  * J. Aitchison and J. A. C. Brown, "The Lognormal Distribution", 1957.
