@@ -23,7 +23,7 @@ use core::marker::PhantomData;
 ///
 /// # Domain
 /// - Point: inside the bounding box of the vertices, always, and on the triangle up to rounding.
-/// - Uniforms: two words, those of [`Triangle`].
+/// - Uniforms: two words, those of [`Triangle`](super::Triangle).
 /// - Parameters: three vertices in any signed format of 32 bits, no two farther apart than the format's largest number.
 /// - `invert` returns words whose sample is the point, give or take four steps and twice the error of a sample, of the largest
 ///   extent, in any sliver. In a triangle of few steps many words have the same sample.
@@ -52,7 +52,7 @@ use core::marker::PhantomData;
 /// ```
 ///
 /// # See also
-/// - [`Triangle`] gives the barycentric coordinates alone, to interpolate with.
+/// - [`Triangle`](super::Triangle) gives the barycentric coordinates alone, to interpolate with.
 /// - [`warp::TriangleOn`](crate::warp::TriangleOn) is the one of the float tiers.
 ///
 /// # Source

@@ -87,14 +87,11 @@ impl<const D: usize> Corners<D> {
     fn parts(&self, point: &[i32; D]) -> [(i64, i64); 3] {
         let [a, b, c] = self.projections();
         let x = self.projection(point);
+        let turned = minor([a[0], b[0], c[0]], [a[1], b[1], c[1]]) < 0;
         let part = |p: [i64; 2], q: [i64; 2]| {
             let (side, way) = (difference(p, q), difference(p, x));
             let part = side[0] * way[1] - side[1] * way[0];
-            (part, side[0].abs() + side[1].abs())
-        };
-        let turned = minor([a[0], b[0], c[0]], [a[1], b[1], c[1]]) < 0;
-        let part = |p, q| {
-            let (part, step) = part(p, q);
+            let step = side[0].abs() + side[1].abs();
             (if turned { -part } else { part }, step)
         };
         [part(b, c), part(c, a), part(a, b)]
@@ -168,11 +165,10 @@ impl<const D: usize> Corners<D> {
         }
         let due = self.level(&nearest);
         let triangle = Triangle::<G>::new();
-        let [rest, zero, level] = [ONE - due, 0, due];
         let [u1, _] = triangle.invert([
-            Coordinate::from_bits(rest),
-            Coordinate::from_bits(zero),
-            Coordinate::from_bits(level),
+            Coordinate::from_bits(ONE - due),
+            Coordinate::ZERO,
+            Coordinate::from_bits(due),
         ]);
         // Twice Newton's, against the error that the grade's root has.
         let mut u1 = i64::from(u1.to_bits());
