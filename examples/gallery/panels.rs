@@ -3,6 +3,7 @@
 use crate::area::{Paper, outline};
 use crate::{Subject, args, sheet, strata, subjects};
 use host::draw::canvas::{Area, Canvas};
+use host::parallel::{in_parallel, threads};
 use host::registry::picture::{CORNER, View};
 use host::registry::{Entry, Point, entries_of_each_tier};
 use rand_pcg::Pcg32;
@@ -69,11 +70,11 @@ fn every_panel_has_dots_shading_and_a_frame_inside_its_cell() {
     let entries = entries_of_each_tier();
     let subjects = subjects(&entries, &args::Args::default()).unwrap();
     assert!(subjects.len() >= 74, "{} panels", subjects.len());
-    for subject in &subjects {
+    in_parallel(threads(), &subjects, |subject| {
         let canvas = drawn(subject, CELL);
         let lacking = lacks(&canvas, subject.picture.view);
         assert!(lacking.is_empty(), "{} lacks {lacking:?}", subject.name);
-    }
+    });
     // What is drawn beside its cell is seen, and so is an empty page.
     let beside = Area {
         x: CELL.x + 6.0,
