@@ -3,13 +3,11 @@
 mod factor;
 mod law;
 
-use self::factor::{at, put};
 use self::law::Law;
 use super::bits::{bits, of_bits};
 use super::grade::{Fine, Grade};
 use super::{Coordinate, Density, Deviate, Uniform};
 use crate::error::{Error, tried};
-use crate::num::division::scaled;
 use crate::uniform::{Canonical, Uniforms};
 use crate::warp::{Invert, Warp};
 use ::fixed::FixedI32;
@@ -158,49 +156,20 @@ where
     /// The standard deviations.
     #[must_use]
     pub const fn deviations(&self) -> [FixedI32<Frac>; D] {
-        let (mut deviations, mut i) = ([0; D], 0);
-        while i < D {
-            let deviation = at(&self.law.deviations, i, 0) >> at(&self.law.shifts, i, 0);
-            put(&mut deviations, i, deviation as i32);
-            i += 1;
-        }
-        of_bits(&deviations)
+        of_bits(&self.law.steps())
     }
 
     /// L, with L Lᵀ = C, the matrix of correlations. In a row and column for each coordinate; the column of one that is not free is
     /// 0, and so is the row of one whose deviation is 0.
     #[must_use]
     pub const fn factor(&self) -> [[Coordinate; D]; D] {
-        let (mut factor, mut i) = ([[Coordinate::ZERO; D]; D], 0);
-        while i < D {
-            let (mut parts, mut j) = ([Coordinate::ZERO; D], 0);
-            let (row, own) = (
-                at(&self.law.factor, i, [0; D]),
-                at(&self.law.deviations, i, 0),
-            );
-            while j < D && own > 0 {
-                let part = at(&row, j, 0);
-                let twice = scaled(part.unsigned_abs() as u128, own as u128, 31).0 as u64;
-                let magnitude = twice.div_ceil(2) as i32;
-                let part = if part < 0 { -magnitude } else { magnitude };
-                put(&mut parts, j, Coordinate::from_bits(part));
-                j += 1;
-            }
-            put(&mut factor, i, parts);
-            i += 1;
-        }
-        factor
+        self.law.factor()
     }
 
     /// Which coordinates have randomness of their own. The others follow from these, or have no deviation.
     #[must_use]
     pub const fn free(&self) -> [bool; D] {
-        let (mut free, mut place) = ([false; D], 0);
-        while place < self.rank() {
-            put(&mut free, at(&self.law.order, place, 0) as usize, true);
-            place += 1;
-        }
-        free
+        self.law.free()
     }
 
     /// How many coordinates are free: the rank of the covariance matrix, to rounding.

@@ -21,7 +21,7 @@ pub(super) struct Law<const D: usize> {
     /// How many steps a coordinate that is not free may be off what the free ones say.
     slack: [u32; D],
     /// First the free coordinates, in the order in which each follows from those before it, then the others.
-    pub order: [u8; D],
+    order: [u8; D],
     pub rank: u8,
     /// The density at the mean.
     peak: Scaled,
@@ -51,7 +51,7 @@ impl<const D: usize> Law<D> {
             return Err(Error::Empty(Error::NO_PLACE));
         }
         let mut law = Self {
-            means: [0; D],
+            means,
             deviations: [0; D],
             shifts: [5; D],
             factor: [[0; D]; D],
@@ -71,7 +71,6 @@ impl<const D: usize> Law<D> {
             if deviation >= 1 << 26 || (deviation > 0 && mean.unsigned_abs() as i64 > room) {
                 return Err(Error::TooLarge(1));
             }
-            put(&mut law.means, i, mean);
             if deviation > 0 {
                 let shift = deviation.leading_zeros() - 1;
                 put(&mut law.deviations, i, (deviation as u32) << shift);
@@ -152,6 +151,47 @@ impl<const D: usize> Law<D> {
             }
             place += 1;
         }
+    }
+
+    /// The standard deviations.
+    pub(super) const fn steps(&self) -> [i32; D] {
+        let (mut steps, mut i) = ([0; D], 0);
+        while i < D {
+            let deviation = at(&self.deviations, i, 0) >> at(&self.shifts, i, 0);
+            put(&mut steps, i, deviation as i32);
+            i += 1;
+        }
+        steps
+    }
+
+    /// L, as the law hands it over.
+    pub(super) const fn factor(&self) -> Rows<Coordinate, D> {
+        let (mut factor, mut i) = ([[Coordinate::ZERO; D]; D], 0);
+        while i < D {
+            let (mut parts, mut j) = ([Coordinate::ZERO; D], 0);
+            let (row, own) = (at(&self.factor, i, [0; D]), at(&self.deviations, i, 0));
+            while j < D && own > 0 {
+                let part = at(&row, j, 0);
+                let twice = scaled(part.unsigned_abs() as u128, own as u128, 31).0 as u64;
+                let magnitude = twice.div_ceil(2) as i32;
+                let part = if part < 0 { -magnitude } else { magnitude };
+                put(&mut parts, j, Coordinate::from_bits(part));
+                j += 1;
+            }
+            put(&mut factor, i, parts);
+            i += 1;
+        }
+        factor
+    }
+
+    /// Which coordinates are free.
+    pub(super) const fn free(&self) -> [bool; D] {
+        let (mut free, mut place) = ([false; D], 0);
+        while place < self.rank as usize {
+            put(&mut free, at(&self.order, place, 0) as usize, true);
+            place += 1;
+        }
+        free
     }
 
     /// The point of an even number of words.
