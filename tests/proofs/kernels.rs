@@ -91,7 +91,8 @@ static WORDS: LazyLock<u32> =
 pub static FEWER: LazyLock<u32> =
     LazyLock::new(|| speed::of("one input of a control of every", 1, 17));
 
-/// The same over one of every `fewer` uniforms of [0, 1), and over those at which earlier searches met the most; `note` takes one and its bits.
+/// The same over one of every `fewer` uniforms of [0, 1), and over those at which earlier searches met the most; `note` takes
+/// one and its bits.
 fn over_uniforms(unit: &Unit, fewer: u32, note: impl Fn(&mut Reach, f32, u32) + Sync) -> Reach {
     let each = |reach: &mut Reach, u: f32| note(reach, u, u.to_bits());
     let last = 1.0_f32.to_bits() - 1;
